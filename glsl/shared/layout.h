@@ -1,0 +1,53 @@
+// Buffer layouts and constants that C++ and GLSL both use. Compiles as either: in C++ it is included inside
+// namespace sunder::gpu (src/gpu/layout.hpp), where vec4 and uvec4 are glm's.
+
+// A texel address is (index % SUNDER_TEXTURE_WIDTH, index / SUNDER_TEXTURE_WIDTH): a 1D texture would end at 16,384.
+#define SUNDER_TEXTURE_WIDTH 2048
+#define SUNDER_MAX_ELEMENT_LAWS 256
+// Cell record: law in the low bits, body above. An absent cell has law SUNDER_ABSENT.
+#define SUNDER_LAW_BITS 9
+#define SUNDER_ABSENT 511u
+// Damage of a bond that never was; a bond holds while its damage is below 1.
+#define SUNDER_NO_BOND 2.0
+// Stands for "never": no stress reaches it.
+#define SUNDER_UNBREAKABLE 1.0e30
+
+#define SUNDER_LAW_GREEN 0.0
+#define SUNDER_LAW_COROTATED 1.0
+
+// One row of the uniform block ElementLaws (std140): a material on cells of one size, at the world's step.
+struct ElementLaw {
+    vec4 cellSize;   // xyz: m; w: volume of a cell, m³
+    vec4 elasticity; // λ, μ (Pa); law; S = √(E/E_eff)
+    vec4 fracture;   // maxStress (Pa); 1/τ (1/s); shear weight β; internal friction μ
+    vec4 colour;     // linear RGB; w unused
+};
+
+// One body: four texels of the texture buffer `bodies` (RGBA32F; integers are exact below 2^24).
+struct BodyRecord {
+    vec4 lattice;  // cells along x, y, z; first cell
+    vec4 cellSize; // xyz: m; w: speed limit, m/s
+    vec4 gravity;  // xyz: m/s²; w: exp(−drag·h)
+    vec4 events;   // first event, number of events; zw unused
+};
+#define SUNDER_BODY_TEXELS 4
+
+// One event: three texels of the texture buffer `events` (RGBA32F).
+struct EventRecord {
+    vec4 patch_;       // xyz: centre, m; w: radius, m
+    vec4 acceleration; // xyz: m/s²; w unused
+    vec4 time;         // start, end in steps from the start of this frame; zw unused
+};
+#define SUNDER_EVENT_TEXELS 3
+
+// One node in the node buffer, written by transform feedback: 8 floats.
+struct NodeRecord {
+    vec4 displacement; // xyz: m from rest; w: 0
+    vec4 velocity;     // xyz: m/s; w: 0
+};
+
+// One cell in the bond buffer, written by transform feedback: 8 floats, so that texel fetches stay aligned.
+struct BondRecord {
+    vec4 damage; // of the bonds through the +x, +y, +z faces; w: 0
+    vec4 slow;   // slow part of their tractions, Pa; w: 0
+};

@@ -1,0 +1,22 @@
+#pragma once
+#include <string_view>
+
+#include "core/world.hpp"
+
+namespace sunder {
+
+/// Advances a world in time. Every solver means the same physics (shared contract: README, "Solvers").
+class Solver {
+  public:
+    virtual ~Solver() = default;
+    virtual std::string_view name() const = 0;
+    /// Advances by this many substeps. May return before a GPU is done.
+    virtual void advance(int steps) = 0;
+    /// Returns once everything that advance() started is done.
+    virtual void finish() {}
+    virtual State state() const = 0;
+    /// `state` must come from the same world.
+    virtual void setState(const State& state) = 0;
+};
+
+}  // namespace sunder

@@ -1,0 +1,21 @@
+#pragma once
+#include <Eigen/Core>
+#include <stdexcept>
+
+namespace sunder {
+
+using Vec3 = Eigen::Vector3d;
+using IVec3 = Eigen::Vector3i;
+using Mat3 = Eigen::Matrix3d;
+
+/// Wrong use or bad input: one clear sentence for the user (where, what was wrong, what would be right). Exit code 2.
+struct InputError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// No usable GL context, or a device that cannot do what GL 4.1 promises. Exit code 3.
+struct ContextError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace sunder

@@ -1,0 +1,64 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace sunder::gl {
+
+/// What the driver says of itself, and the limits Sunder runs into.
+struct DeviceInfo {
+    std::string vendor, renderer, version, glslVersion;
+    std::string device;  ///< how it was found: "egl device 1 (EGL_MESA_device_software)", "surfaceless", "hidden window"
+    bool software = false;
+    int maxTextureSize = 0;
+    int maxTextureBufferSize = 0;  ///< texels
+    int maxUniformBlockSize = 0;   ///< bytes
+    int maxTransformFeedbackComponents = 0;  ///< interleaved
+    int maxGeometryOutputComponents = 0;     ///< total
+    int maxSamples = 0;
+};
+
+/// A GL 4.1 core context, made current on the calling thread while it lives. One per thread at a time.
+///
+/// A debug callback collects what the driver reports; see errors().
+class Context {
+  public:
+    virtual ~Context();
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+
+    const DeviceInfo& info() const { return info_; }
+    /// GL errors and debug messages of high severity since the last call, oldest first; empties the list.
+    std::vector<std::string> takeErrors();
+    /// Throws std::runtime_error with the first of takeErrors(), if any.
+    void check();
+
+  protected:
+    Context() = default;
+    using LoadFunction = void (*(*)(const char*))();
+    /// Loads GL entry points, fills info_, installs the debug callback. Throws ContextError below GL 4.1.
+    void initialise(LoadFunction load, std::string device);
+
+  private:
+    DeviceInfo info_;
+    std::vector<std::string> errors_;
+};
+
+/// A context without a visible window: EGL devices, then EGL_MESA_platform_surfaceless; a hidden GLFW window where there is no
+/// EGL. The environment variable SUNDER_EGL_DEVICE (an index, `software`, or part of a vendor's name such as `nvidia`) picks a
+/// device strictly. Throws ContextError with one sentence that says what was tried.
+std::unique_ptr<Context> createHeadlessContext();
+
+/// One entry per device a headless context could try, whether or not it works.
+struct DeviceListEntry {
+    int index;
+    std::string description;  ///< extensions or names that tell devices apart
+    bool usable;
+    DeviceInfo info;      ///< when usable
+    std::string problem;  ///< when not
+};
+std::vector<DeviceListEntry> listDevices();
+
+}  // namespace sunder::gl

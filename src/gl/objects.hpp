@@ -1,0 +1,79 @@
+#pragma once
+#include <glad/gl.h>
+
+#include <cstddef>
+#include <span>
+#include <utility>
+
+namespace sunder::gl {
+
+/// A GL name that is deleted with its owner. Move-only; a moved-from handle is empty (id() == 0) and may be assigned to.
+template <void (*Delete)(GLuint)>
+class Handle {
+  public:
+    Handle() = default;
+    explicit Handle(GLuint id) : id_(id) {}
+    ~Handle() { reset(); }
+    Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+    Handle& operator=(Handle&& other) noexcept {
+        if (this != &other) {
+            reset();
+            id_ = std::exchange(other.id_, 0);
+        }
+        return *this;
+    }
+    GLuint id() const { return id_; }
+    explicit operator bool() const { return id_ != 0; }
+
+  private:
+    void reset() {
+        if (id_) Delete(id_);
+        id_ = 0;
+    }
+    GLuint id_ = 0;
+};
+
+void deleteBuffer(GLuint);
+void deleteTexture(GLuint);
+void deleteFramebuffer(GLuint);
+void deleteVertexArray(GLuint);
+void deleteProgram(GLuint);
+
+using Framebuffer = Handle<deleteFramebuffer>;
+using VertexArray = Handle<deleteVertexArray>;
+using Texture = Handle<deleteTexture>;
+
+/// A buffer object of fixed size.
+class Buffer {
+  public:
+    Buffer() = default;
+    /// `data` may be null: contents undefined. Throws InputError, naming `what`, when the device has no memory for it.
+    Buffer(std::size_t bytes, const void* data, GLenum usage, const char* what);
+    GLuint id() const { return handle_.id(); }
+    std::size_t size() const { return bytes_; }
+    void write(std::size_t offset, std::size_t bytes, const void* data);
+    /// Waits for the GPU; never inside a frame.
+    void read(std::size_t offset, std::size_t bytes, void* data) const;
+
+  private:
+    Handle<deleteBuffer> handle_;
+    std::size_t bytes_ = 0;
+};
+
+template <class T>
+Buffer makeBuffer(std::span<const T> data, GLenum usage, const char* what) {
+    return Buffer(data.size_bytes(), data.data(), usage, what);
+}
+
+Framebuffer makeFramebuffer();
+VertexArray makeVertexArray();
+/// A view of `buffer` as texels of `format` (GL_RGBA32F, …). Throws InputError, naming `what`, when the device's
+/// GL_MAX_TEXTURE_BUFFER_SIZE is smaller.
+Texture makeBufferTexture(const Buffer& buffer, GLenum format, const char* what);
+/// 2D texture, one level, nearest filtering, clamped, contents undefined.
+Texture makeTexture2D(int width, int height, GLenum format, const char* what);
+
+/// Binds a texture to a unit.
+void bindTexture(int unit, GLenum target, const Texture&);
+
+}  // namespace sunder::gl

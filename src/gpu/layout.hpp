@@ -1,0 +1,9 @@
+#pragma once
+#include <glm/vec4.hpp>
+
+namespace sunder::gpu {
+
+using glm::vec4;
+#include "../../glsl/shared/layout.h"
+
+}  // namespace sunder::gpu

@@ -1,0 +1,46 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/world.hpp"
+
+namespace sunder {
+
+struct CameraDescription {
+    Vec3 position{0, 1.6, 5};  ///< m
+    Vec3 target{0, 1, 0};      ///< m
+    double fieldOfView = 45;   ///< degrees, vertical, 1 to 170
+};
+
+/// A scene file, read and checked. `world.step` is 1/(60·substeps).
+struct Scene {
+    std::string name;   ///< the preset's name, or the file's without folder and ending
+    std::string title;  ///< one line, for `sunder list`
+    int frames = 120;   ///< how long `sunder run` runs by default, in frames of 1/60 s, 1 to 1e6
+    int substeps = 50;  ///< per 1/60 s, 1 to 10000
+    WorldDescription world;
+    CameraDescription camera;
+};
+
+/// Reads a scene: a preset's name, or a path to a TOML file (anything with a '/', '\' or ending in ".toml").
+/// Material files a scene names are sought beside it. Throws InputError: "FILE:LINE: FIELD …", what is wrong, what would be right.
+Scene loadScene(const std::string& nameOrPath);
+
+/// The same from text, for presets, tests and the fuzzer. `file` is the name used in messages; `folder` is where relative
+/// paths start.
+Scene parseScene(std::string_view text, const std::string& file, const std::filesystem::path& folder);
+
+/// Reads a material: a preset's name or a path. Relative paths start at `folder`.
+Material loadMaterial(const std::string& nameOrPath, const std::filesystem::path& folder = {});
+Material parseMaterial(std::string_view text, const std::string& file);
+
+struct PresetInfo {
+    std::string name;
+    std::string title;
+};
+std::vector<PresetInfo> scenePresets();     ///< sorted by name
+std::vector<PresetInfo> materialPresets();  ///< sorted by name
+
+}  // namespace sunder

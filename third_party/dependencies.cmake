@@ -1,0 +1,38 @@
+# Every dependency: a system package first (apt, see tools/install-packages), else vcpkg (vcpkg.json).
+# No third-party code is copied into this repository.
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(CLI11 REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(glm REQUIRED)
+
+# stb: headers only; Debian puts them in <stb/...>, vcpkg beside the other headers.
+find_path(STB_INCLUDE_DIR stb_image_write.h PATH_SUFFIXES stb REQUIRED)
+add_library(sunder_stb INTERFACE)
+target_include_directories(sunder_stb SYSTEM INTERFACE ${STB_INCLUDE_DIR})
+
+# glad: OpenGL 4.1 core and GL_KHR_debug, generated at build time by the `glad` tool (Debian: python3-glad; elsewhere: the
+# Python package glad2). Without --reproducible it would fetch the specification from the network.
+find_program(GLAD_EXECUTABLE glad REQUIRED)
+set(glad_dir ${CMAKE_BINARY_DIR}/glad)
+add_custom_command(
+  OUTPUT ${glad_dir}/src/gl.c ${glad_dir}/include/glad/gl.h
+  COMMAND ${GLAD_EXECUTABLE} --api gl:core=4.1 --extensions GL_KHR_debug --reproducible --quiet
+          --out-path ${glad_dir} c
+  COMMENT "Generating glad (OpenGL 4.1 core)"
+  VERBATIM)
+add_library(sunder_glad STATIC ${glad_dir}/src/gl.c)
+target_include_directories(sunder_glad SYSTEM PUBLIC ${glad_dir}/include)
+
+if(SUNDER_CONTEXT STREQUAL "egl")
+  find_package(OpenGL REQUIRED COMPONENTS EGL)
+elseif(SUNDER_CONTEXT STREQUAL "glfw")
+  find_package(glfw3 3.3 REQUIRED)
+else()
+  message(FATAL_ERROR "SUNDER_CONTEXT is '${SUNDER_CONTEXT}'; it must be egl or glfw")
+endif()
+
+if(BUILD_TESTING OR NOT DEFINED BUILD_TESTING)
+  find_package(Catch2 REQUIRED) # 2.13 (Debian 12) or 3 (vcpkg): tests/catch.hpp hides the difference
+endif()
