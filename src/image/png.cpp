@@ -1,0 +1,76 @@
+#include <stb_image.h>
+#include <stb_image_write.h>
+
+#include <cassert>
+#include <fstream>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include "core/types.hpp"
+#include "image/image.hpp"
+
+namespace sunder {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, const std::string& reason) {
+    throw InputError(path.string() + ": " + reason);
+}
+
+/// A whole file. stb counts bytes in an int.
+std::string readFile(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status)) fail(path, "no such file");
+    if (!fs::is_regular_file(status)) fail(path, "not a file, but a PNG picture is wanted");
+    const std::uintmax_t size = fs::file_size(path, error);
+    if (error) fail(path, "cannot be read: " + error.message());
+    if (size > static_cast<std::uintmax_t>(std::numeric_limits<int>::max()))
+        fail(path, "too large for a PNG picture (2 GiB at most)");
+    std::string bytes(static_cast<std::size_t>(size), '\0');
+    std::ifstream file(path, std::ios::binary);
+    if (!file || !file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+        fail(path, "cannot be read");
+    return bytes;
+}
+
+void append(void* context, void* data, int size) {
+    static_cast<std::string*>(context)->append(static_cast<const char*>(data),
+                                               static_cast<std::size_t>(size));
+}
+
+}  // namespace
+
+void writePng(const fs::path& path, const Image& image) {
+    assert(image.width > 0 && image.height > 0);
+    assert(image.pixels.size() == std::size_t{3} * image.width * image.height);
+    std::string bytes;
+    if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, image.pixels.data(),
+                                3 * image.width))
+        fail(path, "cannot be written: not enough memory to encode the picture");
+    writeFileAtomically(path, bytes);
+}
+
+Image readPng(const fs::path& path) {
+    const std::string bytes = readFile(path);
+    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = static_cast<int>(bytes.size());
+
+    Image image;
+    int channels = 0;
+    if (!stbi_info_from_memory(data, size, &image.width, &image.height, &channels))
+        fail(path, "not a PNG picture");
+    if (std::int64_t{image.width} * image.height > kMaxPixels)
+        fail(path, std::to_string(image.width) + " x " + std::to_string(image.height) +
+                       " pixels are too many (" + std::to_string(kMaxPixels) + " at most)");
+    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+        stbi_load_from_memory(data, size, &image.width, &image.height, &channels, 3),
+        stbi_image_free);
+    if (!pixels) fail(path, std::string("a damaged PNG picture (") + stbi_failure_reason() + ")");
+    image.pixels.assign(pixels.get(), pixels.get() + std::size_t{3} * image.width * image.height);
+    return image;
+}
+
+}  // namespace sunder

@@ -1,0 +1,4 @@
+// stb's PNG writer, compiled here once.
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+#include <stb_image_write.h>
