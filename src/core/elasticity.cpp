@@ -1,0 +1,79 @@
+#include "core/elasticity.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+#include "core/symmetric_eigen.hpp"
+
+namespace sunder {
+
+double cellFrequencyFactor(double nu) {
+    constexpr struct {
+        double nu, kappa;
+    } table[] = {{0, 2.74}, {.2, 2.98}, {.25, 3.19}, {.3, 3.51}, {.35, 3.99}, {.4, 4.84}, {.45, 6.79}};
+    for (std::size_t i = 1; i < std::size(table); ++i) {
+        const auto &a = table[i - 1], &b = table[i];
+        if (nu <= b.nu) return a.kappa + (b.kappa - a.kappa) * std::max(0.0, nu - a.nu) / (b.nu - a.nu);
+    }
+    return table[6].kappa * std::sqrt(0.1 / (1 - 2 * nu));
+}
+
+double stableYoungModulus(double density, double edge, double nu, double h) {
+    const double waveSpeed = 0.9 * 2 * edge / (cellFrequencyFactor(nu) * h);
+    return density * waveSpeed * waveSpeed / (1 + 2 * kDamping);
+}
+
+Mat3 polarRotation(const Mat3& G) {
+    // Far from singular, Higham's iteration R ← ½(R + R⁻ᵀ) doubles the digits each time (Higham 1986).
+    const double size = G.norm();
+    if (G.determinant() > 1e-3 * size * size * size) {
+        Mat3 R = G;
+        for (int i = 0; i < 20; ++i) {
+            const Mat3 next = 0.5 * (R + R.inverse().transpose());
+            const double change = (next - R).norm();
+            R = next;
+            if (change < 1e-15) break;
+        }
+        return R;
+    }
+    const Eigen::JacobiSVD<Mat3> svd(G, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    // Singular values come sorted: a reflection is taken out of the smallest one, which maximises tr(RᵀG).
+    const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
+    return svd.matrixU() * Vec3(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
+}
+
+ElementStress elementStress(const ElementLaw& law, ConstitutiveLaw kind, const Mat3& F, const Mat3& rate,
+                            double h) {
+    const bool hot = F.determinant() < 0.3 || F.squaredNorm() > 6;
+    const Mat3 G = F + (hot ? kHotDamping : kDamping) * h * rate;
+    const Mat3 R = polarRotation(G);
+    Mat3 P;
+    if (kind == ConstitutiveLaw::Corotated) {
+        P = 2 * law.mu * (G - R) + law.lambda * ((R.transpose() * G).trace() - 3) * R;
+    } else {
+        const Mat3 strain = 0.5 * (G.transpose() * G - Mat3::Identity());
+        P = G * (2 * law.mu * strain + law.lambda * strain.trace() * Mat3::Identity());
+    }
+    // Keeps the stability limit E·(1+2b) where b is larger.
+    if (hot) P *= (1 + 2 * kDamping) / (1 + 2 * kHotDamping);
+    return {P, R};
+}
+
+double energyDensity(const ElementLaw& law, ConstitutiveLaw kind, const Mat3& F) {
+    Mat3 strain;
+    if (kind == ConstitutiveLaw::Corotated)
+        strain = polarRotation(F).transpose() * F - Mat3::Identity();
+    else
+        strain = 0.5 * (F.transpose() * F - Mat3::Identity());
+    return law.mu * strain.squaredNorm() + 0.5 * law.lambda * strain.trace() * strain.trace();
+}
+
+double largestPrincipalStress(const ElementLaw& law, const Mat3& F, const Mat3& piola) {
+    const Mat3 kirchhoff = piola * F.transpose();
+    const Mat3 cauchy = 0.5 * (kirchhoff + kirchhoff.transpose()) / std::max(F.determinant(), 0.05);
+    return symmetricEigen<double>(cauchy).values[0] * law.stressScale;
+}
+
+}  // namespace sunder

@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+#include "core/world.hpp"
+
+namespace sunder {
+
+/// The state as a VTK XML unstructured grid (.vtu, ASCII): tetrahedra at their current positions, point data `displacement`
+/// and `velocity`, cell data `material`, `max_principal_stress`, `piece`.
+std::string toVtu(const World&, const State&);
+
+}  // namespace sunder

@@ -1,0 +1,247 @@
+#include "core/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/elasticity.hpp"
+#include "core/strength_map.hpp"
+#include "core/tetrahedra.hpp"
+
+namespace sunder {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Axis 0..2 and end (0: low, 1: high) of a side.
+struct SidePlace {
+    int axis, end;
+};
+SidePlace place(Side side) { return {static_cast<int>(side) / 2, static_cast<int>(side) % 2}; }
+
+/// A body's own seed, so that fifty copies of a wall break in fifty ways.
+std::uint64_t bodySeed(std::uint64_t seed, std::size_t body) { return seed * 0x9e3779b97f4a7c15u + body; }
+
+}  // namespace
+
+IVec3 Body::coordinates(int cell) const {
+    const int local = cell - firstCell;
+    return {local % cells[0], local / cells[0] % cells[1], local / (cells[0] * cells[1])};
+}
+
+bool Body::contains(const IVec3& c) const {
+    return (c.array() >= 0).all() && (c.array() < cells.array()).all();
+}
+
+double Event::weight(std::int64_t step) const {
+    const auto begin = static_cast<double>(step);
+    return std::clamp(std::min(end, begin + 1) - std::max(start, begin), 0.0, 1.0);
+}
+
+bool insidePatch(const Event& event, const std::array<float, 3>& rest) {
+    const float x = rest[0] - event.point[0], y = rest[1] - event.point[1], z = rest[2] - event.point[2];
+    return x * x + y * y + z * z <= event.radius * event.radius;
+}
+
+World::World(WorldDescription description) : description_(std::move(description)) {
+    layOutCells();
+    layOutNodes();
+    makeBonds();
+    makeEvents();
+}
+
+const Material& World::materialOf(int cell) const {
+    return description_.materials[laws_[cellLaw_[cell]].material];
+}
+
+int World::parity(int cell) const {
+    return bodies_[cellBody_[cell]].coordinates(cell).sum() & 1;
+}
+
+int World::neighbour(int cell, int axis, int direction) const {
+    const Body& body = bodies_[cellBody_[cell]];
+    IVec3 c = body.coordinates(cell);
+    c[axis] += direction;
+    if (!body.contains(c)) return -1;
+    const int other = body.cellAt(c);
+    return present(other) ? other : -1;
+}
+
+Vec3 World::restPosition(int node) const {
+    const int cell = node / kCorners, corner = node % kCorners;
+    const Body& body = bodies_[cellBody_[cell]];
+    const IVec3 point = body.coordinates(cell) + IVec3(corner & 1, corner >> 1 & 1, corner >> 2);
+    return body.origin + point.cast<double>().cwiseProduct(body.cellSize);
+}
+
+int World::lawFor(int materialIndex, const Vec3& cellSize) {
+    for (std::size_t i = 0; i < laws_.size(); ++i)
+        if (laws_[i].material == materialIndex && laws_[i].cellSize == cellSize) return static_cast<int>(i);
+    if (laws_.size() == kMaxElementLaws)
+        throw InputError("the world has more than " + std::to_string(kMaxElementLaws) +
+                         " combinations of material and cell size; use fewer");
+    const Material& m = description_.materials[materialIndex];
+    ElementLaw law;
+    law.material = materialIndex;
+    law.cellSize = cellSize;
+    const double stable = stableYoungModulus(m.density, cellSize.minCoeff(), m.poissonRatio, description_.step);
+    law.limited = m.youngModulus > stable;
+    law.youngModulus = std::min(m.youngModulus, stable);
+    const double E = law.youngModulus, nu = m.poissonRatio;
+    law.lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
+    law.mu = E / (2 * (1 + nu));
+    law.stressScale = std::sqrt(m.youngModulus / E);
+    law.damageTime = m.damageLength / std::sqrt(E / m.density);
+    law.maxStress = m.fracture == FractureMode::Cell ? m.maxStress : kInfinity;
+    laws_.push_back(law);
+    return static_cast<int>(laws_.size()) - 1;
+}
+
+void World::layOutCells() {
+    std::int64_t total = 0;
+    for (const BodyDescription& b : description_.bodies) {
+        const std::int64_t cells =
+            static_cast<std::int64_t>(b.cells[0]) * b.cells[1];  // cannot overflow; the product of three could
+        total += cells > kMaxCells ? kMaxCells + 1 : cells * b.cells[2];
+        if (total > kMaxCells)
+            throw InputError("the world is too large: it has more than " + std::to_string(kMaxCells) +
+                             " cells with body '" + b.name + "'; use fewer or larger cells");
+    }
+    cellBody_.reserve(total);
+    cellLaw_.reserve(total);
+    for (std::size_t index = 0; index < description_.bodies.size(); ++index) {
+        const BodyDescription& from = description_.bodies[index];
+        Body body;
+        body.name = from.name;
+        body.cells = from.cells;
+        body.cellSize = from.size.cwiseQuotient(from.cells.cast<double>());
+        body.origin = from.position - Vec3(from.size[0] / 2, 0, from.size[2] / 2);
+        body.firstCell = static_cast<int>(cellBody_.size());
+        body.speedLimit = 0.5 * body.cellSize.minCoeff() / description_.step;
+        const auto base = static_cast<std::int16_t>(lawFor(from.material, body.cellSize));
+        cellBody_.resize(body.firstCell + body.cellCount(), static_cast<int>(index));
+        cellLaw_.resize(body.firstCell + body.cellCount(), base);
+        for (const RegionDescription& region : from.regions) {
+            const auto law = static_cast<std::int16_t>(
+                region.material < 0 ? -1 : lawFor(region.material, body.cellSize));
+            for (int z = region.from[2]; z <= region.to[2]; ++z)
+                for (int y = region.from[1]; y <= region.to[1]; ++y)
+                    for (int x = region.from[0]; x <= region.to[0]; ++x)
+                        cellLaw_[body.cellAt({x, y, z})] = law;
+        }
+        // A cell's mass follows from its density alone: all cells of a body have one size.
+        double density = 0, drag = 0, gravity = 0;
+        int present = 0;
+        for (int cell = body.firstCell; cell < body.firstCell + body.cellCount(); ++cell) {
+            if (cellLaw_[cell] < 0) continue;
+            const Material& m = description_.materials[laws_[cellLaw_[cell]].material];
+            ++present;
+            density += m.density;
+            drag += m.density * m.damping;
+            gravity += m.density * m.gravity;
+        }
+        if (present == 0) throw InputError("body '" + body.name + "' has no cells left: its regions remove them all");
+        body.drag = drag / density;
+        body.gravity = description_.gravity * (gravity / density);
+        presentCells_ += present;
+        bodies_.push_back(std::move(body));
+    }
+    if (bodies_.empty()) throw InputError("the world has no bodies; add at least one [[body]]");
+}
+
+void World::layOutNodes() {
+    nodeMass_.assign(nodeCount(), 0);
+    anchored_.assign(nodeCount(), 0);
+    constexpr double share[kTetrahedraPerCell] = {1. / 6, 1. / 6, 1. / 6, 1. / 6, 1. / 3};
+    for (int cell = 0; cell < cellCount(); ++cell) {
+        if (!present(cell)) continue;
+        const Body& body = bodies_[cellBody_[cell]];
+        // Lumped mass: a quarter of each tetrahedron's goes to each of its corners.
+        const double cellMass = materialOf(cell).density * body.cellSize.prod();
+        for (int t = 0; t < kTetrahedraPerCell; ++t)
+            for (const int corner : kTetrahedra[parity(cell)][t])
+                nodeMass_[kCorners * cell + corner] += cellMass * share[t] / 4;
+        const IVec3 c = body.coordinates(cell);
+        for (const Side side : description_.bodies[cellBody_[cell]].anchors) {
+            const auto [axis, end] = place(side);
+            if (c[axis] != (end ? body.cells[axis] - 1 : 0)) continue;
+            for (int corner = 0; corner < kCorners; ++corner)
+                if ((corner >> axis & 1) == end) anchored_[kCorners * cell + corner] = 1;
+        }
+    }
+}
+
+void World::makeBonds() {
+    bondStrength_.assign(bondSlots(), std::numeric_limits<float>::infinity());
+    for (int cell = 0; cell < cellCount(); ++cell) {
+        if (!present(cell)) continue;
+        const int bodyIndex = cellBody_[cell];
+        const Body& body = bodies_[bodyIndex];
+        const std::uint64_t seed = bodySeed(description_.seed, bodyIndex);
+        const Vec3 centre =
+            (body.coordinates(cell).cast<double>() + Vec3(.5, .5, .5)).cwiseProduct(body.cellSize);
+        for (int axis = 0; axis < 3; ++axis) {
+            const int other = neighbour(cell, axis, +1);
+            if (other < 0) continue;
+            ++bondCount_;
+            Vec3 otherCentre = centre;
+            otherCentre[axis] += body.cellSize[axis];
+            const std::uint64_t bond = kBondsPerCell * static_cast<std::uint64_t>(cell - body.firstCell) + axis;
+            double strength = kInfinity;
+            // Where two materials meet, the weaker one gives way.
+            for (const int side : {cell, other})
+                if (materialOf(side).fracture == FractureMode::Bond)
+                    strength = std::min(strength, sunder::bondStrength(materialOf(side), centre, otherCentre, axis,
+                                                                       bond, seed));
+            bondStrength_[kBondsPerCell * cell + axis] = static_cast<float>(strength);
+        }
+    }
+}
+
+void World::makeEvents() {
+    std::vector<EventDescription> sorted = description_.events;
+    std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.body < b.body; });
+    for (const EventDescription& from : sorted) {
+        Body& body = bodies_[from.body];
+        Event event;
+        event.body = from.body;
+        const Vec3 point = description_.bodies[from.body].position + from.point;
+        for (int i = 0; i < 3; ++i) event.point[i] = static_cast<float>(point[i]);
+        event.radius = static_cast<float>(from.radius);
+        event.start = from.time / step();
+        event.end = (from.time + from.duration) / step();
+        double mass = 0;
+        for (int node = kCorners * body.firstCell; node < kCorners * (body.firstCell + body.cellCount()); ++node) {
+            const Vec3 x = restPosition(node);
+            if (!anchored(node) && insidePatch(event, {static_cast<float>(x[0]), static_cast<float>(x[1]),
+                                                       static_cast<float>(x[2])}))
+                mass += nodeMass(node);
+        }
+        if (mass == 0)
+            throw InputError(from.where + ": no free node of body '" + body.name + "' lies within radius " +
+                             "of point; move the point onto the body or raise the radius");
+        switch (from.kind) {
+            case EventDescription::Kind::Impulse: event.acceleration = from.vector / (mass * from.duration); break;
+            case EventDescription::Kind::Force: event.acceleration = from.vector / mass; break;
+            case EventDescription::Kind::Velocity: event.acceleration = from.vector / from.duration; break;
+        }
+        if (body.eventCount++ == 0) body.firstEvent = static_cast<int>(events_.size());
+        events_.push_back(event);
+    }
+}
+
+State World::initialState() const {
+    State state;
+    state.displacement.assign(nodeCount(), Vec3::Zero());
+    state.velocity.assign(nodeCount(), Vec3::Zero());
+    state.damage.assign(bondSlots(), kNoBond);
+    state.slow.assign(bondSlots(), 0);
+    for (int cell = 0; cell < cellCount(); ++cell) {
+        if (!present(cell)) continue;
+        for (int axis = 0; axis < 3; ++axis)
+            if (neighbour(cell, axis, +1) >= 0) state.damage[kBondsPerCell * cell + axis] = 0;
+    }
+    return state;
+}
+
+}  // namespace sunder

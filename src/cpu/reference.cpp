@@ -1,0 +1,197 @@
+#include "cpu/reference.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/links.hpp"
+#include "core/tetrahedra.hpp"
+
+namespace sunder {
+
+ReferenceSolver::ReferenceSolver(const World& world) : world_(world) {
+    for (int cell = 0; cell < world.cellCount(); ++cell) {
+        if (!world.present(cell)) continue;
+        for (int t = 0; t < kTetrahedraPerCell; ++t) {
+            Element element{};
+            Mat3 rest;
+            const Tetrahedron& tet = kTetrahedra[world.parity(cell)][t];
+            for (int i = 0; i < 4; ++i) element.nodes[i] = kCorners * cell + tet[i];
+            for (int i = 0; i < 3; ++i)
+                rest.col(i) = world.restPosition(element.nodes[i + 1]) - world.restPosition(element.nodes[0]);
+            element.inverseRest = rest.inverse();
+            element.volume = rest.determinant() / 6;
+            element.cell = cell;
+            element.apex = t < 4 ? tet[0] : -1;
+            elements_.push_back(element);
+        }
+    }
+    for (const Event& event : world.events()) {
+        const Body& body = world.bodies()[event.body];
+        std::vector<int>& nodes = eventNodes_.emplace_back();
+        for (int node = kCorners * body.firstCell; node < kCorners * (body.firstCell + body.cellCount()); ++node)
+            if (const Vec3 x = world.restPosition(node);
+                insidePatch(event, {static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])}))
+                nodes.push_back(node);
+    }
+    force_.resize(world.nodeCount());
+    eventAcceleration_.resize(world.nodeCount());
+    links_.resize(world.nodeCount());
+    cellStress_.resize(world.cellCount());
+    principal_.resize(world.cellCount());
+    setState(world.initialState());
+}
+
+void ReferenceSolver::setState(const State& state) {
+    state_ = state;
+    updateLinks();
+}
+
+void ReferenceSolver::advance(int steps) {
+    for (int i = 0; i < steps; ++i) {
+        const bool fracture = state_.step % world_.description().fractureInterval == 0;
+        updateElements(fracture);
+        updateNodes();
+        if (fracture) updateFracture();
+        ++state_.step;
+    }
+}
+
+/// Forces of every tetrahedron on its own copies of its corners: −V·P·∇N.
+void ReferenceSolver::updateElements(bool fracture) {
+    std::fill(force_.begin(), force_.end(), Vec3::Zero());
+    if (fracture) std::fill(principal_.begin(), principal_.end(), -std::numeric_limits<double>::infinity());
+    for (const Element& e : elements_) {
+        Mat3 displacement, velocity;
+        for (int i = 0; i < 3; ++i) {
+            displacement.col(i) = state_.displacement[e.nodes[i + 1]] - state_.displacement[e.nodes[0]];
+            velocity.col(i) = state_.velocity[e.nodes[i + 1]] - state_.velocity[e.nodes[0]];
+        }
+        const Mat3 F = Mat3::Identity() + displacement * e.inverseRest;
+        const ElementLaw& law = world_.laws()[world_.lawOf(e.cell)];
+        const ElementStress stress =
+            elementStress(law, world_.materialOf(e.cell).law, F, velocity * e.inverseRest, world_.step());
+        const Mat3 forces = -e.volume * stress.piola * e.inverseRest.transpose();
+        for (int i = 0; i < 3; ++i) force_[e.nodes[i + 1]] += forces.col(i);
+        force_[e.nodes[0]] -= forces.rowwise().sum();
+        if (!fracture) continue;
+        principal_[e.cell] = std::max(principal_[e.cell], largestPrincipalStress(law, F, stress.piola));
+        if (e.apex >= 0) {
+            const Mat3 biot = stress.rotation.transpose() * stress.piola;
+            cellStress_[e.cell][e.apex] = 0.5 * (biot + biot.transpose());
+        }
+    }
+}
+
+/// Symplectic Euler on joined groups, then the ground.
+void ReferenceSolver::updateNodes() {
+    const double h = world_.step();
+    std::fill(eventAcceleration_.begin(), eventAcceleration_.end(), Vec3::Zero());
+    for (std::size_t i = 0; i < eventNodes_.size(); ++i) {
+        const Vec3 acceleration = world_.events()[i].weight(state_.step) * world_.events()[i].acceleration;
+        for (const int node : eventNodes_[i]) eventAcceleration_[node] += acceleration;
+    }
+    for (int node = 0; node < world_.nodeCount(); ++node) {
+        const int cell = node / kCorners, corner = node % kCorners;
+        if (!world_.present(cell)) continue;
+        Vec3 force = Vec3::Zero();
+        double mass = 0;
+        bool anchored = false;
+        for (int octant = 0; octant < 8; ++octant) {  // the same order for every copy of the lattice point
+            if (!(links_[node] >> octant & 1)) continue;
+            const int member = kCorners * cellInOctant(world_, cell, corner, octant) + (octant ^ 7);
+            force += force_[member];
+            mass += world_.nodeMass(member);
+            anchored |= world_.anchored(member);
+        }
+        Vec3 &u = state_.displacement[node], &v = state_.velocity[node];
+        if (anchored) {
+            v.setZero();
+            continue;
+        }
+        const Body& body = world_.bodies()[world_.bodyOf(cell)];
+        v = v * std::exp(-body.drag * h) + h * (force / mass + body.gravity + eventAcceleration_[node]);
+        if (const double speed = v.norm(); speed > body.speedLimit) v *= body.speedLimit / speed;
+        const double restY = world_.restPosition(node)[1];
+        if (world_.description().ground && restY + u[1] + h * v[1] < 0) {
+            // The ground takes all of v_y; Coulomb friction takes at most μ times as much of the rest.
+            const double tangential = std::hypot(v[0], v[2]);
+            const double taken = world_.description().groundFriction * std::max(0.0, -v[1]);
+            const double kept = tangential > taken ? 1 - taken / tangential : 0;
+            v = {kept * v[0], 0, kept * v[2]};
+            u[1] = -restY;
+        }
+        u += h * v;
+    }
+}
+
+void ReferenceSolver::updateFracture() {
+    const std::vector<double> before = state_.damage;
+    breakCells();
+    damageBonds();
+    if (state_.damage != before) updateLinks();
+}
+
+/// `fracture = "cell"` (thesis, chapter 7): an overstressed cell leaves all its neighbours.
+void ReferenceSolver::breakCells() {
+    for (int cell = 0; cell < world_.cellCount(); ++cell) {
+        if (!world_.present(cell) || !(principal_[cell] > world_.laws()[world_.lawOf(cell)].maxStress)) continue;
+        for (int axis = 0; axis < 3; ++axis)
+            for (const int owner : {cell, world_.neighbour(cell, axis, -1)})
+                if (owner >= 0) {
+                    double& damage = state_.damage[kBondsPerCell * owner + axis];
+                    damage = std::max(damage, 1.0);
+                }
+    }
+}
+
+/// Equivalent traction on the face between a cell and its neighbour along `axis`, dynamic part scaled by S; also advances the
+/// bond's slow part.
+double ReferenceSolver::equivalentTraction(int cell, int axis, const ElementLaw& law, double interval) {
+    const Material& material = world_.materialOf(cell);
+    const int other = world_.neighbour(cell, axis, +1);
+    double normal[2], shear[2];
+    int triangle = 0;
+    for (int t = 0; t < 4; ++t) {
+        // The face's two triangles belong to the corner tetrahedra whose apex lies on it, on either side.
+        const int apex = kTetrahedra[world_.parity(cell)][t][0];
+        if (!(apex >> axis & 1)) continue;
+        const Mat3 T = 0.5 * (cellStress_[cell][apex] + cellStress_[other][apex ^ 1 << axis]);
+        normal[triangle] = T(axis, axis);
+        shear[triangle] = std::hypot(T(axis, (axis + 1) % 3), T(axis, (axis + 2) % 3));
+        ++triangle;
+    }
+    const double S = law.stressScale;
+    const double tn = S * (0.5 * (normal[0] + normal[1]) + std::abs(normal[0] - normal[1]));
+    const double ts = std::max(
+        0.0, S * 0.5 * (shear[0] + shear[1]) - material.internalFriction * std::max(-tn, 0.0));
+    const double tension = std::max(tn, 0.0);
+    const double unscaled = std::sqrt(tension * tension + material.shearWeight * ts * ts) / S;
+    double& slow = state_.slow[kBondsPerCell * cell + axis];
+    slow += (unscaled - slow) * interval / 0.1;
+    return slow + S * std::max(0.0, unscaled - slow);
+}
+
+void ReferenceSolver::damageBonds() {
+    const double interval = world_.description().fractureInterval * world_.step();
+    for (int cell = 0; cell < world_.cellCount(); ++cell) {
+        if (!world_.present(cell)) continue;
+        const ElementLaw& law = world_.laws()[world_.lawOf(cell)];
+        for (int axis = 0; axis < 3; ++axis) {
+            const int bond = kBondsPerCell * cell + axis;
+            double& damage = state_.damage[bond];
+            const double strength = world_.bondStrength(bond);
+            if (damage >= 1 || !std::isfinite(strength)) continue;
+            const double ratio = equivalentTraction(cell, axis, law, interval) / strength;
+            if (ratio > 1) damage = std::min(1.0, damage + interval / law.damageTime * std::min(ratio - 1, 4.0));
+        }
+    }
+}
+
+void ReferenceSolver::updateLinks() {
+    for (int node = 0; node < world_.nodeCount(); ++node)
+        links_[node] = linkMask(heldBonds(world_, state_, node / kCorners, node % kCorners), (node % kCorners) ^ 7);
+}
+
+}  // namespace sunder

@@ -1,0 +1,49 @@
+#pragma once
+#include "core/elasticity.hpp"
+#include "core/solver.hpp"
+
+namespace sunder {
+
+/// The thesis's CPU version: plain loops in double precision, one step after the other. Slow, obvious, and what every other
+/// solver is compared with. Shares no code with the GPU's shaders.
+class ReferenceSolver : public Solver {
+  public:
+    explicit ReferenceSolver(const World& world);
+
+    std::string_view name() const override { return "reference"; }
+    void advance(int steps) override;
+    State state() const override { return state_; }
+    void setState(const State& state) override;
+
+  private:
+    struct Element {
+        std::array<int, 4> nodes;
+        Mat3 inverseRest;  ///< D_m⁻¹, 1/m
+        double volume;     ///< m³
+        int cell;
+        int apex;  ///< corner of the cell, or −1 for the central tetrahedron
+    };
+    /// Stress of a corner tetrahedron in the material frame, T = sym(RᵀP), by cell and apex.
+    using CellStress = std::array<Mat3, kCorners>;
+
+    void updateElements(bool fracture);
+    void updateNodes();
+    void updateFracture();
+    void breakCells();
+    void damageBonds();
+    void updateLinks();
+    Vec3 eventAcceleration(int node) const;
+    double equivalentTraction(int cell, int axis, const ElementLaw&, double interval);
+
+    const World& world_;
+    std::vector<Element> elements_;
+    std::vector<std::vector<int>> eventNodes_;  ///< nodes in each event's patch
+    std::vector<Vec3> eventAcceleration_;       ///< m/s², per node, of the step in progress
+    State state_;
+    std::vector<Vec3> force_;             ///< N, per node, of this copy alone
+    std::vector<std::uint8_t> links_;     ///< per node, linkMask()
+    std::vector<CellStress> cellStress_;  ///< valid after updateElements(true)
+    std::vector<double> principal_;       ///< Pa, per cell, likewise
+};
+
+}  // namespace sunder
