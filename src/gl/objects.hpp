@@ -7,7 +7,8 @@
 
 namespace sunder::gl {
 
-/// A GL name that is deleted with its owner. Move-only; a moved-from handle is empty (id() == 0) and may be assigned to.
+/// A GL name that is deleted with its owner. Move-only; a moved-from handle is empty (id() == 0)
+/// and may be assigned to.
 template <void (*Delete)(GLuint)>
 class Handle {
   public:
@@ -47,10 +48,12 @@ using Texture = Handle<deleteTexture>;
 class Buffer {
   public:
     Buffer() = default;
-    /// `data` may be null: contents undefined. Throws InputError, naming `what`, when the device has no memory for it.
+    /// `data` may be null: contents undefined. Throws InputError, naming `what`, when the device
+    /// has no memory for it.
     Buffer(std::size_t bytes, const void* data, GLenum usage, const char* what);
     GLuint id() const { return handle_.id(); }
     std::size_t size() const { return bytes_; }
+    /// Within size(); offset and bytes count bytes.
     void write(std::size_t offset, std::size_t bytes, const void* data);
     /// Waits for the GPU; never inside a frame.
     void read(std::size_t offset, std::size_t bytes, void* data) const;
@@ -67,13 +70,16 @@ Buffer makeBuffer(std::span<const T> data, GLenum usage, const char* what) {
 
 Framebuffer makeFramebuffer();
 VertexArray makeVertexArray();
-/// A view of `buffer` as texels of `format` (GL_RGBA32F, …). Throws InputError, naming `what`, when the device's
-/// GL_MAX_TEXTURE_BUFFER_SIZE is smaller.
+/// A view of `buffer` as texels of `format` (GL_RGBA32F, …). Throws InputError, naming `what`, when
+/// the device's GL_MAX_TEXTURE_BUFFER_SIZE is smaller. Leaves the active unit's buffer texture
+/// unbound.
 Texture makeBufferTexture(const Buffer& buffer, GLenum format, const char* what);
-/// 2D texture, one level, nearest filtering, clamped, contents undefined.
+/// 2D texture, one level, nearest filtering, clamped, contents undefined. Throws InputError, naming
+/// `what`, when a side is not within 1 to GL_MAX_TEXTURE_SIZE or the device has no memory for it.
+/// Leaves the active unit's 2D texture unbound.
 Texture makeTexture2D(int width, int height, GLenum format, const char* what);
 
-/// Binds a texture to a unit.
+/// Binds a texture to a unit, which becomes the active one.
 void bindTexture(int unit, GLenum target, const Texture&);
 
 }  // namespace sunder::gl

@@ -1,0 +1,167 @@
+#include "gl/objects.hpp"
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "core/types.hpp"
+#include "gl/error_name.hpp"
+#include "gl/pixel_format.hpp"
+
+namespace sunder::gl {
+namespace {
+
+/// While it lives, the debug callback stays silent: the errors of one allocation become an
+/// exception here instead.
+class QuietDebug {
+  public:
+    QuietDebug() : wasOn_(GLAD_GL_KHR_debug && glIsEnabled(GL_DEBUG_OUTPUT)) {
+        if (wasOn_) glDisable(GL_DEBUG_OUTPUT);
+    }
+    ~QuietDebug() {
+        if (wasOn_) glEnable(GL_DEBUG_OUTPUT);
+    }
+    QuietDebug(const QuietDebug&) = delete;
+    QuietDebug& operator=(const QuietDebug&) = delete;
+
+  private:
+    bool wasOn_;
+};
+
+[[noreturn]] void failMemory(const char* what, double bytes) {
+    const auto megabytes = static_cast<std::uint64_t>(bytes / 1e6 + 0.5);
+    throw InputError("the device has no memory for the " + std::string(what) + " (" +
+                     std::to_string(megabytes) + " MB)");
+}
+
+/// Runs an allocation. Throws InputError when the device has no memory for it.
+template <class Call>
+void allocate(const char* what, double bytes, Call call) {
+    if (const GLenum error = glGetError(); error != GL_NO_ERROR)
+        throw std::runtime_error("OpenGL: " + errorName(error) + " before the " + what +
+                                 " was created");
+    const QuietDebug quiet;
+    call();
+    const GLenum error = glGetError();
+    if (error == GL_OUT_OF_MEMORY) failMemory(what, bytes);
+    if (error != GL_NO_ERROR)
+        throw std::runtime_error("OpenGL: " + errorName(error) + " creating the " + what);
+}
+
+std::string renderer() {
+    const GLubyte* name = glGetString(GL_RENDERER);
+    return name ? reinterpret_cast<const char*>(name) : "this device";
+}
+
+GLint limit(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+}  // namespace
+
+void deleteBuffer(GLuint id) {
+    glDeleteBuffers(1, &id);
+}
+void deleteTexture(GLuint id) {
+    glDeleteTextures(1, &id);
+}
+void deleteFramebuffer(GLuint id) {
+    glDeleteFramebuffers(1, &id);
+}
+void deleteVertexArray(GLuint id) {
+    glDeleteVertexArrays(1, &id);
+}
+void deleteProgram(GLuint id) {
+    glDeleteProgram(id);
+}
+
+// The COPY targets: no draw state, nor an element array in a vertex array object, depends on them.
+Buffer::Buffer(std::size_t bytes, const void* data, GLenum usage, const char* what)
+    : bytes_(bytes) {
+    if (bytes > static_cast<std::size_t>(PTRDIFF_MAX)) failMemory(what, static_cast<double>(bytes));
+    GLuint id = 0;
+    glGenBuffers(1, &id);
+    handle_ = Handle<deleteBuffer>(id);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, id);
+    allocate(what, static_cast<double>(bytes), [&] {
+        glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), data, usage);
+    });
+}
+
+void Buffer::write(std::size_t offset, std::size_t bytes, const void* data) {
+    assert(offset <= bytes_ && bytes <= bytes_ - offset);
+    if (bytes == 0) return;
+    glBindBuffer(GL_COPY_WRITE_BUFFER, id());
+    glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset),
+                    static_cast<GLsizeiptr>(bytes), data);
+}
+
+void Buffer::read(std::size_t offset, std::size_t bytes, void* data) const {
+    assert(offset <= bytes_ && bytes <= bytes_ - offset);
+    if (bytes == 0) return;
+    glBindBuffer(GL_COPY_READ_BUFFER, id());
+    glGetBufferSubData(GL_COPY_READ_BUFFER, static_cast<GLintptr>(offset),
+                       static_cast<GLsizeiptr>(bytes), data);
+}
+
+Framebuffer makeFramebuffer() {
+    GLuint id = 0;
+    glGenFramebuffers(1, &id);
+    return Framebuffer(id);
+}
+
+VertexArray makeVertexArray() {
+    GLuint id = 0;
+    glGenVertexArrays(1, &id);
+    return VertexArray(id);
+}
+
+Texture makeBufferTexture(const Buffer& buffer, GLenum format, const char* what) {
+    const std::size_t texels = buffer.size() / pixelFormat(format).bytes;
+    const GLint most = limit(GL_MAX_TEXTURE_BUFFER_SIZE);
+    if (texels > static_cast<std::size_t>(most))
+        throw InputError("the world is too large for this device: " + std::string(what) +
+                         " needs " + std::to_string(texels) + " texels, " + renderer() + " takes " +
+                         std::to_string(most));
+    GLuint id = 0;
+    glGenTextures(1, &id);
+    Texture texture(id);
+    glBindTexture(GL_TEXTURE_BUFFER, id);
+    glTexBuffer(GL_TEXTURE_BUFFER, format, buffer.id());
+    glBindTexture(GL_TEXTURE_BUFFER, 0);
+    return texture;
+}
+
+Texture makeTexture2D(int width, int height, GLenum format, const char* what) {
+    const GLint most = limit(GL_MAX_TEXTURE_SIZE);
+    if (width < 1 || height < 1 || width > most || height > most)
+        throw InputError("the " + std::string(what) + " would be " + std::to_string(width) + " x " +
+                         std::to_string(height) + " texels, " + renderer() + " takes 1 to " +
+                         std::to_string(most) + " each way");
+    const PixelFormat pixel = pixelFormat(format);
+    GLuint id = 0;
+    glGenTextures(1, &id);
+    Texture texture(id);
+    glBindTexture(GL_TEXTURE_2D, id);
+    allocate(what, double(width) * double(height) * double(pixel.bytes), [&] {
+        glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, pixel.format,
+                     pixel.type, nullptr);
+    });
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    return texture;
+}
+
+void bindTexture(int unit, GLenum target, const Texture& texture) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(target, texture.id());
+}
+
+}  // namespace sunder::gl
