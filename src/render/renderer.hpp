@@ -19,8 +19,9 @@ struct RenderSettings {
     DrawStyle style = DrawStyle::Solid;
 };
 
-/// Draws a world's simulation mesh (thesis, figure 6.6): sky, ground, sun with shadow, walls whose faces and flat normals a
-/// geometry shader makes from the node buffer. Cracks (broken bonds between faces that still touch) show as dark lines.
+/// Draws a world's simulation mesh (thesis, figure 6.6): sky, ground, sun with shadow, walls whose
+/// faces and flat normals a geometry shader makes from the node buffer. Cracks (broken bonds
+/// between faces that still touch) show as dark lines.
 class Renderer {
   public:
     Renderer(const World&, const gpu::WorldBuffers&);

@@ -1,0 +1,92 @@
+// Makes the visible faces of a cell from the node buffer (thesis, figure 6.6). A face is two triangles, split along the
+// diagonal that the cell's tetrahedra have there, so that the twelve triangles of a hull hold every edge of its tetrahedra.
+#include "shared/layout.h"
+
+layout(points) in;
+layout(triangle_strip, max_vertices = 24) out;
+
+layout(std140) uniform ElementLaws {
+    ElementLaw laws[SUNDER_MAX_ELEMENT_LAWS];
+};
+uniform samplerBuffer nodes;
+uniform samplerBuffer rest;
+uniform mat4 viewProjection;
+
+flat in int cell[];
+flat in uint law[];
+flat in uint open[];
+flat in uint broken[];
+flat in uint parity_[];
+
+#ifndef DEPTH_ONLY
+out vec3 position;             // m, world
+out vec2 facePosition;         // 0 to 1 along the face's two sides
+flat out vec3 normal;
+flat out vec3 baseColour;      // linear RGB
+flat out float insideFace;     // 1 on a face that a broken bond has bared
+flat out uint crackedEdges;    // bits 0 to 3: a crack runs along facePosition x = 0, x = 1, y = 0, y = 1
+flat out float diagonalSlope;  // +1: the diagonal is x = y; -1: it is x + y = 1
+#endif
+
+vec3 cornerPosition(int corner) {
+    int node = 8 * cell[0] + corner;
+    return texelFetch(rest, node).xyz + texelFetch(nodes, 2 * node).xyz;
+}
+
+#ifndef DEPTH_ONLY
+// A number in [0, 1) for each cell: keeps a large wall from looking like cardboard.
+float cellNoise(uint c) {
+    c = (c ^ (c >> 16)) * 0x45d9f3bu;
+    c = (c ^ (c >> 16)) * 0x45d9f3bu;
+    return float((c ^ (c >> 16)) & 0xffffu) / 65536.0;
+}
+#endif
+
+void emit(vec3 p, vec3 faceNormal, vec2 place) {
+    gl_Position = viewProjection * vec4(p, 1.0);
+#ifndef DEPTH_ONLY
+    position = p;
+    facePosition = place;
+    normal = faceNormal;
+#endif
+    EmitVertex();
+}
+
+void emitFace(int axis, int side) {
+    int u = 1 << ((axis + 1) % 3), v = 1 << ((axis + 2) % 3);
+    int base = side << axis;
+    // The central tetrahedron's corners have as many bits set as the cell's parity, modulo 2; the diagonal joins two of them.
+    bool rising = uint(side) == parity_[0];
+
+    // A strip is split between its second and third vertex; exchanging those two turns the face round.
+    ivec4 corners = rising ? ivec4(u, u | v, 0, v) : ivec4(0, u, v, u | v);
+    vec4 x = rising ? vec4(1, 1, 0, 0) : vec4(0, 1, 0, 1);
+    vec4 y = rising ? vec4(0, 1, 0, 1) : vec4(0, 0, 1, 1);
+    if (side == 0) {
+        corners = corners.xzyw;
+        x = x.xzyw;
+        y = y.xzyw;
+    }
+    vec3 a = cornerPosition(base | corners.x), b = cornerPosition(base | corners.y);
+    vec3 c = cornerPosition(base | corners.z), d = cornerPosition(base | corners.w);
+    // A triangle takes its flat values from its last vertex.
+    vec3 first = cross(b - a, c - a), second = cross(b - c, d - c);
+
+#ifndef DEPTH_ONLY
+    baseColour = laws[law[0]].colour.rgb * (0.975 + 0.05 * cellNoise(uint(cell[0])));
+    insideFace = float((broken[0] >> uint(2 * axis + side)) & 1u);
+    crackedEdges = ((broken[0] >> uint(2 * ((axis + 1) % 3))) & 3u) |
+                   (((broken[0] >> uint(2 * ((axis + 2) % 3))) & 3u) << 2);
+    diagonalSlope = rising ? 1.0 : -1.0;
+#endif
+    emit(a, first, vec2(x.x, y.x));
+    emit(b, first, vec2(x.y, y.y));
+    emit(c, first, vec2(x.z, y.z));
+    emit(d, second, vec2(x.w, y.w));
+    EndPrimitive();
+}
+
+void main() {
+    for (int face = 0; face < 6; ++face)
+        if (((open[0] >> uint(face)) & 1u) != 0u) emitFace(face >> 1, face & 1);
+}

@@ -1,0 +1,37 @@
+#include "draw/sky.glsl"
+#include "draw/shadow.glsl"
+
+uniform vec3 eye;
+uniform float tile;       // m
+uniform float hazeLength;  // m, where two thirds of the ground are haze
+uniform bool shadowed;
+
+in vec3 position;
+out vec4 colour;
+
+// Checkerboard of squares of side 1, averaged over a pixel's footprint w (the product of the two axes' box-filtered square
+// waves): -1 to 1, and 0 where a pixel holds many squares.
+float filteredChecker(vec2 p, vec2 w) {
+    vec2 wave = 2.0 * (abs(fract((p - 0.5 * w) * 0.5) - 0.5) - abs(fract((p + 0.5 * w) * 0.5) - 0.5)) / w;
+    return wave.x * wave.y;
+}
+
+void main() {
+    vec2 p = position.xz / tile;
+    vec2 w = fwidth(p) + 1e-4;
+    vec3 toEye = eye - position;
+    float range = length(toEye);
+    vec3 view = toEye / range;
+
+    float checker = filteredChecker(p, w) * (1.0 - smoothstep(0.35, 1.1, max(w.x, w.y)));
+    vec3 albedo = vec3(0.265, 0.26, 0.245) * (1.0 + 0.13 * checker);
+
+    vec3 normal = vec3(0.0, 1.0, 0.0);
+    float sun = SUN_DIRECTION.y;
+    if (shadowed) sun *= sunVisibility(position, normal, SUN_DIRECTION.y);
+    colour.rgb = albedo * (SUN_LIGHT * sun + SKY_LIGHT);
+
+    float haze = 1.0 - exp(-pow(range / hazeLength, 2.0));
+    vec3 horizon = skyColour(normalize(vec3(-view.x, 0.0, -view.z)));
+    colour = vec4(mix(colour.rgb, horizon, haze), 1.0);
+}

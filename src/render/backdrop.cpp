@@ -1,0 +1,53 @@
+#include "render/backdrop.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/uniforms.hpp"
+
+namespace sunder {
+namespace {
+
+/// Half a metre for a wall; doubled for wider scenes, so that a picture never holds thousands of
+/// tiles. m
+float tileSize(const SceneBounds& bounds) {
+    return 0.5f * std::exp2(std::max(0.f, std::floor(std::log2(bounds.radius() / 5))));
+}
+
+}  // namespace
+
+Backdrop::Backdrop(const SceneBounds& bounds, const gl::VertexArray& noAttributes)
+    : bounds_(bounds),
+      noAttributes_(noAttributes),
+      sky_({.vertex = "draw/sky.vert", .fragment = "draw/sky.frag"}),
+      ground_({.vertex = "draw/ground.vert", .fragment = "draw/ground.frag"}) {
+    ground_.bindSampler("shadowMap", kShadowUnit);
+}
+
+void Backdrop::draw(const Camera& camera, const ShadowMap* shadows) const {
+    glBindVertexArray(noAttributes_.id());
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    sky_.use();
+    // Without the view's translation: a direction far from the origin would lose its digits.
+    setUniform(sky_, "inverseViewProjection",
+               glm::inverse(camera.projection * glm::mat4(glm::mat3(camera.view))));
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glEnable(GL_DEPTH_TEST);
+    if (bounds_.ground) drawGround(camera, shadows);
+}
+
+void Backdrop::drawGround(const Camera& camera, const ShadowMap* shadows) const {
+    const float extent = groundExtent(bounds_, camera.eye);
+    ground_.use();
+    setUniform(ground_, "viewProjection", camera.viewProjection());
+    setUniform(ground_, "eye", camera.eye);
+    setUniform(ground_, "extent", extent);
+    setUniform(ground_, "tile", tileSize(bounds_));
+    setUniform(ground_, "hazeLength", 0.24f * extent);
+    setUniform(ground_, "shadowed", shadows != nullptr);
+    if (shadows) shadows->bind(ground_);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+}  // namespace sunder

@@ -1,0 +1,22 @@
+#pragma once
+#include <glm/glm.hpp>
+
+#include "render/scene_bounds.hpp"
+#include "scene/scene.hpp"
+
+namespace sunder {
+
+/// A camera's matrices, with the near and far planes that suit a scene.
+struct Camera {
+    glm::vec3 eye;  ///< m
+    glm::mat4 view, projection;
+    glm::mat4 viewProjection() const { return projection * view; }
+};
+
+/// How far the ground is drawn, m; it has faded into the haze by then.
+float groundExtent(const SceneBounds&, const glm::vec3& eye);
+
+/// `aspect` is width / height.
+Camera makeCamera(const CameraDescription&, float aspect, const SceneBounds&);
+
+}  // namespace sunder

@@ -1,0 +1,32 @@
+#pragma once
+#include "gl/objects.hpp"
+#include "image/image.hpp"
+
+namespace sunder {
+
+/// Where a picture is drawn off screen: a multisampled sRGB framebuffer and a plain one that it is
+/// resolved to.
+class PictureTarget {
+  public:
+    PictureTarget() = default;
+    /// `samples` is clamped to what the device has. Throws InputError when the device has no room
+    /// for the picture.
+    PictureTarget(int width, int height, int samples);
+
+    bool fits(int width, int height, int samples) const {
+        return width == width_ && height == height_ && samples == samples_;
+    }
+    /// Binds the multisampled framebuffer, cleared, and its viewport.
+    void begin() const;
+    /// Averages the samples; the plain framebuffer is bound afterwards.
+    void resolve() const;
+    /// Reads the resolved picture. Waits for the GPU.
+    Image read() const;
+
+  private:
+    int width_ = 0, height_ = 0, samples_ = 0;
+    gl::Texture colour_, depth_, resolved_;
+    gl::Framebuffer drawn_, plain_;
+};
+
+}  // namespace sunder

@@ -1,0 +1,32 @@
+#include "render/scene_bounds.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace sunder {
+
+SceneBounds sceneBounds(const World& world) {
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::max());
+    Vec3 high = -low;
+    double tallest = 0;
+    for (const Body& body : world.bodies()) {
+        const Vec3 size = body.cellSize.cwiseProduct(body.cells.cast<double>());
+        low = low.cwiseMin(body.origin);
+        high = high.cwiseMax(body.origin + size);
+        tallest = std::max(tallest, size.maxCoeff());
+    }
+    // Debris of a blow lands within about a wall's height; more would only cost the shadow map its
+    // sharpness.
+    const Vec3 air = Vec3::Constant(0.6 * tallest);
+    SceneBounds bounds;
+    const auto toGlm = [](const Vec3& v) { return glm::vec3(v[0], v[1], v[2]); };
+    bounds.low = toGlm(low);
+    bounds.high = toGlm(high);
+    bounds.lowAir = toGlm(low - air);
+    bounds.highAir = toGlm(high + air);
+    bounds.ground = world.description().ground;
+    if (bounds.ground) bounds.lowAir.y = std::min(0.f, bounds.low.y);
+    return bounds;
+}
+
+}  // namespace sunder

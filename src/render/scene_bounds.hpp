@@ -1,0 +1,20 @@
+#pragma once
+#include <glm/glm.hpp>
+
+#include "core/world.hpp"
+
+namespace sunder {
+
+/// What a picture has to have room for: the bodies at rest, and air around them for what breaks
+/// off.
+struct SceneBounds {
+    glm::vec3 low, high;  ///< m, box around all bodies at rest
+    glm::vec3 lowAir,
+        highAir;  ///< m, the same with room for debris; ends at the ground where there is one
+    bool ground = true;  ///< a floor at y = 0
+    float radius() const { return 0.5f * glm::length(high - low); }
+};
+
+SceneBounds sceneBounds(const World&);
+
+}  // namespace sunder

@@ -1,0 +1,75 @@
+#include "render/shadow_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+
+#include "../../glsl/draw/sun.h"
+#include "render/uniforms.hpp"
+
+namespace sunder {
+namespace {
+
+using glm::vec3;
+const vec3 kSunDirection = glm::normalize(SUNDER_SUN_DIRECTION);
+
+/// Wide scenes get a finer map, so that a texel stays below a centimetre or so.
+int mapSize(float width) {
+    return width < 12 ? 2048 : 4096;
+}
+
+}  // namespace
+
+ShadowMap::ShadowMap(const SceneBounds& bounds) {
+    const glm::vec3 centre = 0.5f * (bounds.lowAir + bounds.highAir);
+    const glm::mat4 view = glm::lookAt(centre + kSunDirection, centre, glm::vec3(0, 1, 0));
+    glm::vec3 low(std::numeric_limits<float>::max()), high = -low;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::bvec3 upper(corner & 1, corner & 2, corner & 4);
+        const glm::vec3 p(view * glm::vec4(glm::mix(bounds.lowAir, bounds.highAir, upper), 1));
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    // Square texels: a shadow's edge then looks the same in every direction.
+    const float width = std::max(high.x - low.x, high.y - low.y) * 1.02f;
+    const glm::vec2 middle(0.5f * (low.x + high.x), 0.5f * (low.y + high.y));
+    // Shadows reach the ground behind the box.
+    const float depth = high.z - low.z;
+    lightMatrix_ = glm::ortho(middle.x - width / 2, middle.x + width / 2, middle.y - width / 2,
+                              middle.y + width / 2, -high.z - 0.05f * depth, -low.z + depth) *
+                   view;
+
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    size_ = std::min(mapSize(width), largest);
+    texel_ = width / static_cast<float>(size_);
+
+    depth_ = gl::makeTexture2D(size_, size_, GL_DEPTH_COMPONENT24, "shadow map");
+    glBindTexture(GL_TEXTURE_2D, depth_.id());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    framebuffer_ = gl::makeFramebuffer();
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+}
+
+void ShadowMap::begin() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glViewport(0, 0, size_, size_);
+    glClear(GL_DEPTH_BUFFER_BIT);
+}
+
+void ShadowMap::bind(const gl::Program& program) const {
+    const glm::mat4 toTexture =
+        glm::translate(glm::mat4(1), glm::vec3(0.5f)) * glm::scale(glm::mat4(1), glm::vec3(0.5f));
+    setUniform(program, "shadowMatrix", toTexture * lightMatrix_);
+    setUniform(program, "shadowTexel", texel_);
+    gl::bindTexture(kShadowUnit, GL_TEXTURE_2D, depth_);
+}
+
+}  // namespace sunder
