@@ -27,10 +27,40 @@ class WorldBuffers {
     gl::Texture restTexture_, cellTexture_, bodyTexture_;
 };
 
-/// What a picture is drawn from, whichever solver made it: texture buffers of NodeRecord and BondRecord.
+/// Displacements and velocities on the GPU (NodeRecord): what transform feedback writes and everything else reads.
+class NodeBuffer {
+  public:
+    explicit NodeBuffer(const World&);  ///< contents undefined
+    const gl::Buffer& buffer() const { return buffer_; }
+    /// RGBA32F, 2 texels per node.
+    const gl::Texture& texture() const { return texture_; }
+    void write(const State&);
+    void read(State&) const;  ///< waits for the GPU
+
+  private:
+    gl::Buffer buffer_;
+    gl::Texture texture_;
+};
+
+/// Damage and slow traction of the bonds that each cell owns (BondRecord).
+class BondBuffer {
+  public:
+    explicit BondBuffer(const World&);  ///< contents undefined
+    const gl::Buffer& buffer() const { return buffer_; }
+    /// RGBA32F, 2 texels per cell.
+    const gl::Texture& texture() const { return texture_; }
+    void write(const State&);
+    void read(State&) const;  ///< waits for the GPU
+
+  private:
+    gl::Buffer buffer_;
+    gl::Texture texture_;
+};
+
+/// What a picture is drawn from, whichever solver made it.
 struct StateView {
-    const gl::Texture* nodes;  ///< RGBA32F, 2 texels per node
-    const gl::Texture* bonds;  ///< RGBA32F, 2 texels per cell
+    const gl::Texture* nodes;  ///< NodeBuffer::texture()
+    const gl::Texture* bonds;  ///< BondBuffer::texture()
 };
 
 /// A solver whose state lives on the GPU.
@@ -46,8 +76,8 @@ class StateUpload {
     StateView upload(const State&);
 
   private:
-    gl::Buffer nodes_, bonds_;
-    gl::Texture nodeTexture_, bondTexture_;
+    NodeBuffer nodes_;
+    BondBuffer bonds_;
 };
 
 }  // namespace sunder::gpu

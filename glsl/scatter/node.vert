@@ -1,0 +1,29 @@
+// Node update (thesis, figure 6.5): one vertex per node, written back by transform feedback.
+#include "physics/lattice.glsl"
+#include "physics/events.glsl"
+#include "physics/integrate.glsl"
+#include "scatter/textures.glsl"
+
+uniform sampler2D cumulativeForces;
+uniform samplerBuffer rest;  // xyz: rest position, m
+uniform float stepInFrame;
+
+in vec4 displacement;
+in vec4 velocity;
+out vec4 newDisplacement;
+out vec4 newVelocity;
+
+void main() {
+    newDisplacement = displacement;
+    newVelocity = vec4(0.0);
+    vec4 force = texelFetch(cumulativeForces, texelAddress(gl_VertexID), 0);
+    if (force.a == 0.0) return;  // anchored, or no cell here
+    BodyRecord body = bodyRecord(bodyOf(cellRecord(gl_VertexID >> 3)));
+    vec3 restPosition = texelFetch(rest, gl_VertexID).xyz;
+    vec3 acceleration =
+        force.rgb * force.a + body.gravity.xyz + eventAcceleration(body.events.xy, restPosition, stepInFrame);
+    vec3 u = displacement.xyz, v = velocity.xyz;
+    integrateNode(u, v, acceleration, body.gravity.w, body.cellSize.w, restPosition.y);
+    newDisplacement = vec4(u, 0.0);
+    newVelocity = vec4(v, 0.0);
+}

@@ -1,0 +1,132 @@
+#include "gpu/world_buffers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "gpu/layout.hpp"
+
+namespace sunder::gpu {
+namespace {
+
+vec4 toVec4(const Vec3& v, double w) {
+    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), static_cast<float>(w)};
+}
+
+gl::Buffer makeRest(const World& world) {
+    std::vector<vec4> rest(world.nodeCount());
+    for (int node = 0; node < world.nodeCount(); ++node)
+        rest[node] = toVec4(world.restPosition(node), world.nodeMass(node));
+    return gl::makeBuffer<vec4>(rest, GL_STATIC_DRAW, "rest positions");
+}
+
+gl::Buffer makeCells(const World& world) {
+    std::vector<std::uint32_t> cells(world.cellCount());
+    for (int cell = 0; cell < world.cellCount(); ++cell) {
+        const std::uint32_t law = world.present(cell) ? static_cast<std::uint32_t>(world.lawOf(cell)) : SUNDER_ABSENT;
+        cells[cell] = law | static_cast<std::uint32_t>(world.bodyOf(cell)) << SUNDER_LAW_BITS;
+    }
+    return gl::makeBuffer<std::uint32_t>(cells, GL_STATIC_DRAW, "cells");
+}
+
+gl::Buffer makeBodies(const World& world) {
+    if (world.bodies().size() >= 1u << (32 - SUNDER_LAW_BITS))
+        throw InputError("the world has too many bodies for the GPU: " + std::to_string(world.bodies().size()));
+    std::vector<BodyRecord> bodies;
+    for (const Body& body : world.bodies())
+        bodies.push_back({toVec4(body.cells.cast<double>(), body.firstCell), toVec4(body.cellSize, body.speedLimit),
+                          toVec4(body.gravity, std::exp(-body.drag * world.step())),
+                          vec4(static_cast<float>(body.firstEvent), static_cast<float>(body.eventCount), 0, 0)});
+    return gl::makeBuffer<BodyRecord>(bodies, GL_STATIC_DRAW, "bodies");
+}
+
+gl::Buffer makeLaws(const World& world) {
+    std::vector<ElementLaw> laws(SUNDER_MAX_ELEMENT_LAWS);
+    for (std::size_t i = 0; i < world.laws().size(); ++i) {
+        const sunder::ElementLaw& law = world.laws()[i];
+        const Material& material = world.description().materials[law.material];
+        laws[i].cellSize = toVec4(law.cellSize, law.cellSize.prod());
+        laws[i].elasticity =
+            toVec4({law.lambda, law.mu,
+                    material.law == ConstitutiveLaw::Green ? SUNDER_LAW_GREEN : SUNDER_LAW_COROTATED},
+                   law.stressScale);
+        laws[i].fracture = toVec4({std::min(law.maxStress, double{SUNDER_UNBREAKABLE}), 1 / law.damageTime,
+                                   material.shearWeight},
+                                  material.internalFriction);
+        laws[i].colour = toVec4(material.colour, 0);
+    }
+    return gl::makeBuffer<ElementLaw>(laws, GL_STATIC_DRAW, "materials");
+}
+
+}  // namespace
+
+static_assert(SUNDER_MAX_ELEMENT_LAWS == kMaxElementLaws && SUNDER_NO_BOND == kNoBond);
+static_assert(sizeof(BodyRecord) == 16 * SUNDER_BODY_TEXELS && sizeof(EventRecord) == 16 * SUNDER_EVENT_TEXELS);
+
+WorldBuffers::WorldBuffers(const World& world)
+    : cellCount_(world.cellCount()),
+      restBuffer_(makeRest(world)),
+      cellBuffer_(makeCells(world)),
+      bodyBuffer_(makeBodies(world)),
+      lawBuffer_(makeLaws(world)),
+      restTexture_(gl::makeBufferTexture(restBuffer_, GL_RGBA32F, "rest positions")),
+      cellTexture_(gl::makeBufferTexture(cellBuffer_, GL_R32UI, "cells")),
+      bodyTexture_(gl::makeBufferTexture(bodyBuffer_, GL_RGBA32F, "bodies")) {}
+
+NodeBuffer::NodeBuffer(const World& world)
+    : buffer_(sizeof(NodeRecord) * world.nodeCount(), nullptr, GL_DYNAMIC_COPY, "nodes"),
+      texture_(gl::makeBufferTexture(buffer_, GL_RGBA32F, "nodes")) {}
+
+void NodeBuffer::write(const State& state) {
+    std::vector<NodeRecord> nodes(state.displacement.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        nodes[i] = {toVec4(state.displacement[i], 0), toVec4(state.velocity[i], 0)};
+    buffer_.write(0, sizeof(NodeRecord) * nodes.size(), nodes.data());
+}
+
+void NodeBuffer::read(State& state) const {
+    std::vector<NodeRecord> nodes(buffer_.size() / sizeof(NodeRecord));
+    buffer_.read(0, buffer_.size(), nodes.data());
+    state.displacement.resize(nodes.size());
+    state.velocity.resize(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const auto &u = nodes[i].displacement, &v = nodes[i].velocity;
+        state.displacement[i] = {u.x, u.y, u.z};
+        state.velocity[i] = {v.x, v.y, v.z};
+    }
+}
+
+BondBuffer::BondBuffer(const World& world)
+    : buffer_(sizeof(BondRecord) * world.cellCount(), nullptr, GL_DYNAMIC_COPY, "bonds"),
+      texture_(gl::makeBufferTexture(buffer_, GL_RGBA32F, "bonds")) {}
+
+void BondBuffer::write(const State& state) {
+    std::vector<BondRecord> bonds(state.damage.size() / kBondsPerCell);
+    for (std::size_t i = 0; i < bonds.size(); ++i) {
+        const double *d = &state.damage[kBondsPerCell * i], *s = &state.slow[kBondsPerCell * i];
+        bonds[i] = {toVec4({d[0], d[1], d[2]}, 0), toVec4({s[0], s[1], s[2]}, 0)};
+    }
+    buffer_.write(0, sizeof(BondRecord) * bonds.size(), bonds.data());
+}
+
+void BondBuffer::read(State& state) const {
+    std::vector<BondRecord> bonds(buffer_.size() / sizeof(BondRecord));
+    buffer_.read(0, buffer_.size(), bonds.data());
+    state.damage.resize(kBondsPerCell * bonds.size());
+    state.slow.resize(kBondsPerCell * bonds.size());
+    for (std::size_t i = 0; i < bonds.size(); ++i)
+        for (int axis = 0; axis < kBondsPerCell; ++axis) {
+            state.damage[kBondsPerCell * i + axis] = bonds[i].damage[axis];
+            state.slow[kBondsPerCell * i + axis] = bonds[i].slow[axis];
+        }
+}
+
+StateUpload::StateUpload(const World& world) : nodes_(world), bonds_(world) {}
+
+StateView StateUpload::upload(const State& state) {
+    nodes_.write(state);
+    bonds_.write(state);
+    return {&nodes_.texture(), &bonds_.texture()};
+}
+
+}  // namespace sunder::gpu

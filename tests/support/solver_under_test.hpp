@@ -1,0 +1,17 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/solver.hpp"
+
+/// A solver the tests in tests/solvers run on. Each test program defines solversUnderTest() for the solvers it has.
+struct SolverUnderTest {
+    std::string name;
+    /// `world` must outlive the solver.
+    std::function<std::unique_ptr<sunder::Solver>(const sunder::World& world)> make;
+    double epsilon;  ///< unit roundoff of its arithmetic; tolerances are stated in multiples of it
+};
+
+std::vector<SolverUnderTest> solversUnderTest();
