@@ -1,6 +1,8 @@
 #include "gl/shader_assembly.hpp"
 
 #include <algorithm>
+#include <cassert>
+#include <cstddef>
 #include <regex>
 #include <stdexcept>
 
@@ -8,6 +10,8 @@
 
 namespace sunder::gl {
 namespace {
+
+constexpr std::size_t kLinesPerFile = 10000;
 
 std::string_view trimmed(std::string_view text) {
     const auto begin = text.find_first_not_of(" \t\r");
@@ -66,12 +70,15 @@ class Assembler {
         return files_.size() - 1;
     }
 
-    // Since GLSL 3.30 the number is that of the line after the directive.
+    // Mesa reports source-string number 0 for most errors, whatever #line said. So the line number
+    // carries the file as well. Since GLSL 3.30 it is the number of the line after the directive.
     void setLine(std::size_t line, std::size_t file) {
-        text_ += "#line " + std::to_string(line) + " " + std::to_string(file) + "\n";
+        text_ += "#line " + std::to_string(file * kLinesPerFile + line) + " " +
+                 std::to_string(file) + "\n";
     }
 
     void add(std::string_view name, std::string_view body) {
+        assert(std::count(body.begin(), body.end(), '\n') < std::ptrdiff_t(kLinesPerFile));
         included_.emplace_back(name);
         const std::size_t number = open(name);
         setLine(1, number);
@@ -136,7 +143,7 @@ std::string assembleShader(const ShaderSource& source, std::string_view name,
 }
 
 std::string nameFilesInLog(std::string_view log, const std::vector<std::string>& files) {
-    static const std::regex position(R"(^((?:ERROR|WARNING): )?(\d+)([:(])(\d+))");
+    static const std::regex position(R"(^((?:ERROR|WARNING): )?\d+([:(])(\d+))");
     std::string result;
     for (std::size_t begin = 0; begin < log.size();) {
         const std::size_t end = std::min(log.find('\n', begin), log.size());
@@ -144,13 +151,16 @@ std::string nameFilesInLog(std::string_view log, const std::vector<std::string>&
         begin = end + 1;
         std::smatch match;
         // Nine digits: no number of ours is longer, and std::stoul must not overflow.
-        if (std::regex_search(line, match, position) && match[2].length() <= 9 &&
-            std::stoul(match[2]) < files.size()) {
-            result += match[1].str() + files[std::stoul(match[2])] + match[3].str() +
-                      match[4].str() + match.suffix().str();
-        } else {
-            result += line;
+        std::size_t file = files.size(), number = 0;
+        if (std::regex_search(line, match, position) && match[3].length() <= 9) {
+            file = std::stoul(match[3]) / kLinesPerFile;
+            number = std::stoul(match[3]) % kLinesPerFile;
         }
+        if (file < files.size())
+            result += match[1].str() + files[file] + match[2].str() + std::to_string(number) +
+                      match.suffix().str();
+        else
+            result += line;
         result += '\n';
     }
     while (!result.empty() && (result.back() == '\n' || result.back() == '\0')) result.pop_back();

@@ -1,0 +1,120 @@
+#include <cctype>
+#include <cstdlib>
+#include <string>
+
+#include "catch.hpp"
+#include "gl/context.hpp"
+
+#ifdef __linux__
+#include <sys/wait.h>
+
+#include <filesystem>
+#endif
+
+using namespace sunder;
+using namespace sunder::gl;
+
+namespace {
+
+void setVariable(const char* name, const std::string& value) {
+#ifdef _WIN32
+    _putenv_s(name, value.c_str());
+#else
+    setenv(name, value.c_str(), 1);
+#endif
+}
+
+/// SUNDER_EGL_DEVICE while it lives.
+class DeviceChoice {
+  public:
+    explicit DeviceChoice(const std::string& value) { setVariable(kName, value); }
+    ~DeviceChoice() { setVariable(kName, before_); }
+    DeviceChoice(const DeviceChoice&) = delete;
+    DeviceChoice& operator=(const DeviceChoice&) = delete;
+
+  private:
+    static constexpr const char* kName = "SUNDER_EGL_DEVICE";
+    std::string before_ = std::getenv(kName) ? std::getenv(kName) : "";
+};
+
+/// The ContextError that comes of `choice`; empty when a context does.
+std::string refusal(const std::string& choice) {
+    const DeviceChoice chosen(choice);
+    try {
+        createHeadlessContext();
+    } catch (const ContextError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("A device that is not there is refused, with the list of those that are") {
+    for (const std::string choice : {"99", "nonsense", "0x0"}) {
+        const std::string message = refusal(choice);
+        INFO(message);
+        CHECK(contains(message, "SUNDER_EGL_DEVICE is '" + choice + "'"));
+        for (const DeviceListEntry& entry : listDevices())
+            CHECK(contains(message, entry.description));
+    }
+}
+
+TEST_CASE("A device is chosen by its index and by its name") {
+    for (const DeviceListEntry& entry : listDevices()) {
+        if (!entry.usable || entry.index < 0) continue;
+        INFO(entry.description);
+        {
+            const DeviceChoice chosen(std::to_string(entry.index));
+            CHECK(createHeadlessContext()->info().device == entry.description);
+        }
+        std::string name = entry.info.renderer.substr(0, entry.info.renderer.find(' '));
+        for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+        const DeviceChoice chosen(name);
+        const std::string renderer = createHeadlessContext()->info().renderer;
+        CHECK(renderer.substr(0, name.size()) == entry.info.renderer.substr(0, name.size()));
+    }
+}
+
+TEST_CASE("`software` gives a software device or none") {
+    bool any = false;
+    for (const DeviceListEntry& entry : listDevices()) any |= entry.usable && entry.info.software;
+    const std::string message = refusal("software");
+    INFO(message);
+    CHECK(message.empty() == any);
+    if (!any) return;
+    const DeviceChoice chosen("software");
+    CHECK(createHeadlessContext()->info().software);
+}
+
+TEST_CASE("An empty choice is no choice") {
+    const DeviceChoice chosen("");
+    CHECK_NOTHROW(createHeadlessContext());
+}
+
+#ifdef __linux__
+// Run by the next test in a process of its own: Mesa reads MESA_GL_VERSION_OVERRIDE once.
+TEST_CASE("The driver is too old", "[.old-driver]") {
+    const std::string message = refusal("");
+    INFO(message);
+    CHECK(contains(message, "the driver offers OpenGL 4.0, Sunder needs 4.1"));
+}
+
+TEST_CASE("A driver below OpenGL 4.1 is refused with its version") {
+    for (const DeviceListEntry& entry : listDevices())
+        if (entry.usable && !contains(entry.info.version, "Mesa")) {
+            WARN("not tested: " << entry.info.renderer << " is not Mesa's");
+            return;
+        }
+    const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
+    const std::string command =
+        "MESA_GL_VERSION_OVERRIDE=4.0 '" + self + "' '[.old-driver]' > /dev/null";
+    const int status = std::system(command.c_str());
+    CHECK(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 0);
+}
+#endif
