@@ -1,0 +1,169 @@
+#include "scene/body_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/limits.hpp"
+#include "scene/wording.hpp"
+
+namespace sunder {
+namespace {
+
+constexpr std::string_view kSides[] = {"left", "right", "bottom", "top", "back", "front"};
+
+std::string triple(const IVec3& v) {
+    return "[" + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " + std::to_string(v[2]) +
+           "]";
+}
+
+}  // namespace
+
+void BodyReader::readAll(const TableReader& scene) {
+    const TableReader::Keys keys{"name",   "material", "size",    "cells", "position",
+                                 "anchor", "copies",   "spacing", "region"};
+    const std::vector<TableReader> readers = scene.tables("body", keys, kMaxBodies);
+    if (readers.empty())
+        scene.fail(
+            "the scene has no body; add a table [[body]] with name, material, size and cells");
+    for (const TableReader& reader : readers) readBody(reader);
+}
+
+void BodyReader::readBody(const TableReader& reader) {
+    BodyDescription body;
+    reader.require("name", "a name for messages and events");
+    reader.read("name", body.name, kMaxName);
+    reader.require("size", "[x, y, z] in m");
+    reader.read("size", body.size, {1e-3, 1e3, "m"});
+    reader.require("cells", "the number of cells along x, y, z, such as [30, 20, 1]");
+    reader.read("cells", body.cells, {1, kMaxCells});
+    const Range coordinate{-kMaxLength, kMaxLength, "m"};
+    reader.read("position", body.position, coordinate);
+    if (world_.ground && body.position.y() < 0)
+        reader.fail("position",
+                    "position: number 2 (y, of the bottom face) must be at least 0 m, not " +
+                        formatNumber(body.position.y()) +
+                        ", because the ground is at y = 0; raise the body or set "
+                        "enabled = false in [ground]");
+    for (const std::size_t side : reader.readChoices("anchor", kSides))
+        body.anchors.push_back(static_cast<Side>(side));
+    reader.require("material", "a material of this scene, a preset or a .toml file");
+    body.material = materialIndex(reader);
+    readRegions(reader, body);
+
+    const int first = static_cast<int>(world_.bodies.size());
+    const std::string name = body.name;
+    addCopies(reader, body);
+    const int count = static_cast<int>(world_.bodies.size()) - first;
+    names_.push_back(name);
+    if (count > 1 && !groups_.try_emplace(name, Group{first, count}).second)
+        reader.fail("name", "there is already a body named " + inQuotes(name) +
+                                "; every body needs a name of its own");
+}
+
+void BodyReader::readRegions(const TableReader& reader, BodyDescription& body) {
+    for (const TableReader& table :
+         reader.tables("region", {"from", "to", "material", "empty"}, kMaxRegions)) {
+        RegionDescription region;
+        table.require("from", "the first cell, such as [0, 0, 0]");
+        table.require("to", "the last cell, such as [3, 3, 0]");
+        table.read("from", region.from, {0, kMaxCells});
+        table.read("to", region.to, {0, kMaxCells});
+        for (int axis = 0; axis < 3; ++axis) {
+            const int last = body.cells[axis] - 1;
+            const std::string number = ": number " + std::to_string(axis + 1) + " must be ";
+            if (region.from[axis] > last)
+                table.fail("from", "from" + number + "at most " + std::to_string(last) + ", not " +
+                                       std::to_string(region.from[axis]) +
+                                       ", because the body has " + triple(body.cells) + " cells");
+            if (region.to[axis] < region.from[axis] || region.to[axis] > last)
+                table.fail("to", "to" + number + "from " + std::to_string(region.from[axis]) +
+                                     " (that of from) to " + std::to_string(last) + ", not " +
+                                     std::to_string(region.to[axis]) + ", because the body has " +
+                                     triple(body.cells) + " cells");
+        }
+        bool empty = false;
+        table.read("empty", empty);
+        if (empty == table.has("material"))
+            table.fail(empty ? "it has both a material and empty = true; give one of them"
+                             : "it has no material; give one, or empty = true to remove the cells");
+        region.material = empty ? -1 : materialIndex(table);
+        body.regions.push_back(region);
+    }
+}
+
+void BodyReader::addCopies(const TableReader& reader, const BodyDescription& body) {
+    IVec3 copies{1, 1, 1};
+    Vec3 spacing{0, 0, 0};
+    reader.read("copies", copies, {1, static_cast<int>(kMaxBodies)});
+    reader.read("spacing", spacing, {-kMaxLength, kMaxLength, "m"});
+    const std::int64_t count = std::int64_t{copies[0]} * copies[1] * copies[2];
+    if (count + static_cast<std::int64_t>(world_.bodies.size()) >
+        static_cast<std::int64_t>(kMaxBodies))
+        reader.fail("copies", "the scene has too many bodies with " + std::to_string(count) +
+                                  " of these; at most " + std::to_string(kMaxBodies) +
+                                  " are allowed, copies included");
+    // One product at a time: three factors of 2^24 do not fit into 64 bits.
+    const std::int64_t layer = std::int64_t{body.cells[0]} * body.cells[1];
+    const std::int64_t each = layer > kMaxCells ? layer : layer * body.cells[2];
+    if (each > kMaxCells || cells_ + each * count > kMaxCells)
+        reader.fail("cells", "the scene has too many cells with this body; at most " +
+                                 std::to_string(kMaxCells) +
+                                 " are allowed in all, copies included; use fewer or larger cells");
+    cells_ += each * count;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (copies[axis] == 1) continue;
+        if (!reader.has("spacing"))
+            reader.fail("copies",
+                        "copies needs spacing, the distance from one copy to the next along "
+                        "x, y, z in m");
+        if (std::abs(spacing[axis]) < body.size[axis])
+            reader.fail("spacing", "spacing: number " + std::to_string(axis + 1) +
+                                       " must be at least the body's size, " +
+                                       formatNumber(body.size[axis]) +
+                                       " m, or copies overlap, not " + formatNumber(spacing[axis]));
+    }
+    if (world_.ground && body.position.y() + (copies[1] - 1) * spacing[1] < 0)
+        reader.fail("spacing",
+                    "spacing: number 2 puts copies below the ground at y = 0; make it "
+                    "positive or raise the body");
+    if (count == 1) return add(reader, body);
+    IVec3 index;
+    for (index[2] = 0; index[2] < copies[2]; ++index[2])
+        for (index[1] = 0; index[1] < copies[1]; ++index[1])
+            for (index[0] = 0; index[0] < copies[0]; ++index[0]) {
+                const int number = index[0] + copies[0] * (index[1] + copies[1] * index[2]);
+                BodyDescription copy = body;
+                copy.name += " " + std::to_string(number + 1);
+                copy.position += index.cast<double>().cwiseProduct(spacing);
+                add(reader, std::move(copy));
+            }
+}
+
+void BodyReader::add(const TableReader& reader, BodyDescription body) {
+    const int index = static_cast<int>(world_.bodies.size());
+    if (!groups_.try_emplace(body.name, Group{index, 1}).second)
+        reader.fail("name", "there is already a body named " + inQuotes(body.name) +
+                                "; every body needs a name of its own");
+    world_.bodies.push_back(std::move(body));
+}
+
+int BodyReader::materialIndex(const TableReader& reader) {
+    std::string name;
+    reader.read("material", name, kMaxReference);
+    const auto known = materials_.find(name);
+    if (known != materials_.end()) return known->second;
+    const auto complain = [&](const std::string& problem) { reader.fail("material", problem); };
+    world_.materials.push_back(library_.find(name, complain));
+    const int index = static_cast<int>(world_.materials.size()) - 1;
+    materials_.emplace(name, index);
+    return index;
+}
+
+std::vector<int> BodyReader::find(const std::string& name) const {
+    std::vector<int> result;
+    if (const auto group = groups_.find(name); group != groups_.end())
+        for (int i = 0; i < group->second.count; ++i) result.push_back(group->second.first + i);
+    return result;
+}
+
+}  // namespace sunder

@@ -1,0 +1,55 @@
+#include "scene/event_reader.hpp"
+
+#include "scene/limits.hpp"
+#include "scene/wording.hpp"
+
+namespace sunder {
+namespace {
+
+// In the order of EventDescription::Kind.
+constexpr std::string_view kKinds[] = {"impulse", "force", "velocity"};
+constexpr std::string_view kUnits[] = {"N·s", "N", "m/s"};
+
+}  // namespace
+
+void readEvents(const TableReader& scene, const BodyReader& bodies, WorldDescription& world) {
+    const TableReader::Keys keys{"time", "kind", "body", "point", "radius", "vector", "duration"};
+    for (const TableReader& reader : scene.tables("event", keys, kMaxEvents)) {
+        EventDescription event;
+        event.where = reader.where();
+        reader.require("kind", "one of " + joined(kKinds));
+        const std::size_t kind = *reader.readChoice("kind", kKinds);
+        event.kind = static_cast<EventDescription::Kind>(kind);
+        const std::string unit(kUnits[kind]);
+        reader.require("time", "when it starts, in s");
+        reader.read("time", event.time, {0, kMaxTime, "s"});
+        reader.require("point", "[x, y, z] in m from the centre of the body's bottom face");
+        reader.read("point", event.point, {-kMaxLength, kMaxLength, "m"});
+        reader.require("radius", "the size of the patch it acts on, in m");
+        reader.read("radius", event.radius, {0, kMaxLength, "m", true});
+        reader.require("vector", "[x, y, z] in " + unit);
+        reader.read("vector", event.vector, {-1e12, 1e12, unit});
+        if (event.kind == EventDescription::Kind::Force)
+            reader.require("duration", "how long the force acts, in s");
+        reader.read("duration", event.duration, {0, kMaxTime, "s", true});
+
+        reader.require("body", "the name of the body it acts on");
+        std::string body;
+        reader.read("body", body, kMaxName + 16);
+        const std::vector<int> targets = bodies.find(body);
+        if (targets.empty())
+            reader.fail("body", "there is no body " + inQuotes(body) +
+                                    "; bodies: " + printable(joined(bodies.names()), 500) +
+                                    suggestion(body, bodies.names()));
+        if (world.events.size() + targets.size() > kMaxEvents)
+            reader.fail("body", "the scene has too many events with this one on " +
+                                    std::to_string(targets.size()) + " bodies; at most " +
+                                    std::to_string(kMaxEvents) + " are allowed");
+        for (const int target : targets) {
+            event.body = target;
+            world.events.push_back(event);
+        }
+    }
+}
+
+}  // namespace sunder

@@ -1,0 +1,11 @@
+#pragma once
+#include "core/world.hpp"
+#include "scene/body_reader.hpp"
+#include "scene/table_reader.hpp"
+
+namespace sunder {
+
+/// Reads the [[event]] tables into world.events. `bodies` must have read the scene's bodies.
+void readEvents(const TableReader& scene, const BodyReader& bodies, WorldDescription& world);
+
+}  // namespace sunder

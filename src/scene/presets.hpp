@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/embedded_file.hpp"
+
+namespace sunder {
+
+enum class PresetKind { Scene, Material };
+
+/// The preset's file, or null.
+const EmbeddedFile* findPreset(PresetKind kind, std::string_view name);
+
+/// Sorted.
+std::vector<std::string> presetNames(PresetKind kind);
+
+}  // namespace sunder

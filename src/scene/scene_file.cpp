@@ -1,0 +1,87 @@
+#include <limits>
+
+#include "scene/body_reader.hpp"
+#include "scene/event_reader.hpp"
+#include "scene/limits.hpp"
+#include "scene/material_file.hpp"
+#include "scene/presets.hpp"
+#include "scene/scene.hpp"
+#include "scene/table_reader.hpp"
+#include "scene/toml_file.hpp"
+#include "scene/wording.hpp"
+
+namespace sunder {
+namespace {
+
+void readSolver(const TableReader& root, Scene& scene) {
+    if (const auto solver = root.table("solver", {"substeps", "fracture_interval"})) {
+        solver->read("substeps", scene.substeps, {1, 10000});
+        solver->read("fracture_interval", scene.world.fractureInterval, {1, 100});
+    }
+    scene.world.step = 1.0 / (60.0 * scene.substeps);
+}
+
+void readGround(const TableReader& root, WorldDescription& world) {
+    if (const auto ground = root.table("ground", {"enabled", "friction"})) {
+        ground->read("enabled", world.ground);
+        ground->read("friction", world.groundFriction, {0, 10});
+    }
+}
+
+void readCamera(const TableReader& root, CameraDescription& camera) {
+    const auto table = root.table("camera", {"position", "target", "field_of_view"});
+    if (!table) return;
+    const Range coordinate{-kMaxLength, kMaxLength, "m"};
+    table->read("position", camera.position, coordinate);
+    table->read("target", camera.target, coordinate);
+    table->read("field_of_view", camera.fieldOfView, {1, 170, "degrees"});
+    if ((camera.position - camera.target).norm() < 1e-3)
+        table->fail("position",
+                    "position and target must be at least 0.001 m apart, or it looks nowhere");
+}
+
+}  // namespace
+
+Scene parseScene(std::string_view text, const std::string& file,
+                 const std::filesystem::path& folder) {
+    const toml::table document = parseToml(text, file);
+    const TableReader root(document, file, "the scene",
+                           {"title", "frames", "gravity", "seed", "solver", "ground", "camera",
+                            "material", "body", "event"});
+    Scene scene;
+    scene.name = std::filesystem::path(file).stem().string();
+    scene.title = scene.name;
+    WorldDescription& world = scene.world;
+    root.read("title", scene.title, kMaxTitle);
+    root.read("frames", scene.frames, {1, 1000000});
+    root.read("gravity", world.gravity, {-1000, 1000, "m/s²"});
+    std::int64_t seed = 1;
+    root.read("seed", seed, {0, std::numeric_limits<std::int64_t>::max()});
+    world.seed = static_cast<std::uint64_t>(seed);
+    readSolver(root, scene);
+    readGround(root, world);
+    readCamera(root, scene.camera);
+
+    MaterialLibrary library(folder);
+    library.addOwn(root);
+    BodyReader bodies(world, library);
+    bodies.readAll(root);
+    readEvents(root, bodies, world);
+    return scene;
+}
+
+Scene loadScene(const std::string& nameOrPath) {
+    if (const EmbeddedFile* preset = findPreset(PresetKind::Scene, nameOrPath))
+        return parseScene(preset->text, nameOrPath + ".toml", {});
+    if (!looksLikePath(nameOrPath)) {
+        const std::vector<std::string> presets = presetNames(PresetKind::Scene);
+        throw InputError("scene " + inQuotes(nameOrPath) +
+                         " is neither a preset nor a file; presets: " + joined(presets) +
+                         "; a file's path has a '/' or ends in .toml" +
+                         suggestion(nameOrPath, presets));
+    }
+    const std::filesystem::path path(nameOrPath);
+    return parseScene(readTextFile(path), nameOrPath, path.parent_path());
+}
+
+}  // namespace sunder
