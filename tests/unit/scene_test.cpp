@@ -290,9 +290,8 @@ TEST_CASE("A mistake in a scene becomes one sentence", "[scene]") {
         {kBody + "anchor = ['top', 'top']\n", {"walls.toml:6: body 1: anchor names 'top' twice"}},
         {kBody + kBody, {"walls.toml:7: body 2: there is already a body named 'wall'"}},
         {replaced(kBody, "'wood'", "'wod'"),
-         {"walls.toml:3: body 1: material 'wod' is neither a preset nor a file; did you mean "
-          "'wood'?",
-          "concrete"}},
+         {"walls.toml:3: body 1: material 'wod' is neither a preset nor a file; presets: ",
+          "; did you mean 'wood'?", "concrete"}},
         {"[material.mine]\n" + replaced(kBody, "'wood'", "'nine'"),
          {"walls.toml:4: body 1: material 'nine'", "this scene's own: mine",
           "did you mean 'mine'?"}},
