@@ -10,7 +10,7 @@ in vec2 facePosition;
 flat in vec3 normal;
 flat in vec3 baseColour;
 flat in float insideFace;
-flat in uint crackedEdges;
+flat in uint cracks;
 flat in float diagonalSlope;
 
 out vec4 colour;
@@ -19,7 +19,7 @@ float crackCoverage() {
     const float HALF_WIDTH = 0.8;  // px; the neighbour beyond the edge draws the other half
     vec4 edges = vec4(lineCoverage(facePosition.x, HALF_WIDTH), lineCoverage(facePosition.x - 1.0, HALF_WIDTH),
                       lineCoverage(facePosition.y, HALF_WIDTH), lineCoverage(facePosition.y - 1.0, HALF_WIDTH));
-    vec4 mask = vec4((uvec4(crackedEdges) >> uvec4(0, 1, 2, 3)) & 1u);
+    vec4 mask = vec4((uvec4(cracks) >> uvec4(0, 1, 2, 3)) & 1u);
     edges *= mask;
     return max(max(edges.x, edges.y), max(edges.z, edges.w));
 }

@@ -1,9 +1,9 @@
-// Makes the visible faces of a cell from the node buffer (thesis, figure 6.6). A face is two triangles, split along the
-// diagonal that the cell's tetrahedra have there, so that the twelve triangles of a hull hold every edge of its tetrahedra.
+// Makes a visible face of a cell from the node buffer (thesis, figure 6.6): two triangles, split along the diagonal that the
+// cell's tetrahedra have there, so that the twelve triangles of a hull hold every edge of its tetrahedra.
 #include "shared/layout.h"
 
 layout(points) in;
-layout(triangle_strip, max_vertices = 24) out;
+layout(triangle_strip, max_vertices = 4) out;
 
 layout(std140) uniform ElementLaws {
     ElementLaw laws[SUNDER_MAX_ELEMENT_LAWS];
@@ -13,10 +13,11 @@ uniform samplerBuffer rest;
 uniform mat4 viewProjection;
 
 flat in int cell[];
+flat in int face[];
 flat in uint law[];
-flat in uint open[];
-flat in uint broken[];
 flat in uint parity_[];
+flat in uint inside[];
+flat in uint crackedEdges[];
 
 #ifndef DEPTH_ONLY
 out vec3 position;             // m, world
@@ -24,7 +25,7 @@ out vec2 facePosition;         // 0 to 1 along the face's two sides
 flat out vec3 normal;
 flat out vec3 baseColour;      // linear RGB
 flat out float insideFace;     // 1 on a face that a broken bond has bared
-flat out uint crackedEdges;    // bits 0 to 3: a crack runs along facePosition x = 0, x = 1, y = 0, y = 1
+flat out uint cracks;          // bits 0 to 3: a crack runs along facePosition x = 0, x = 1, y = 0, y = 1
 flat out float diagonalSlope;  // +1: the diagonal is x = y; -1: it is x + y = 1
 #endif
 
@@ -42,17 +43,24 @@ float cellNoise(uint c) {
 }
 #endif
 
-void emit(vec3 p, vec3 faceNormal, vec2 place) {
+// EmitVertex leaves all outputs undefined, so every vertex sets every one.
+void emit(vec3 p, vec3 faceNormal, vec2 place, bool rising) {
     gl_Position = viewProjection * vec4(p, 1.0);
 #ifndef DEPTH_ONLY
     position = p;
     facePosition = place;
     normal = faceNormal;
+    baseColour = laws[law[0]].colour.rgb * (0.975 + 0.05 * cellNoise(uint(cell[0])));
+    insideFace = float(inside[0]);
+    cracks = crackedEdges[0];
+    diagonalSlope = rising ? 1.0 : -1.0;
 #endif
     EmitVertex();
 }
 
-void emitFace(int axis, int side) {
+void main() {
+    if (face[0] < 0) return;
+    int axis = face[0] >> 1, side = face[0] & 1;
     int u = 1 << ((axis + 1) % 3), v = 1 << ((axis + 2) % 3);
     int base = side << axis;
     // The central tetrahedron's corners have as many bits set as the cell's parity, modulo 2; the diagonal joins two of them.
@@ -72,21 +80,9 @@ void emitFace(int axis, int side) {
     // A triangle takes its flat values from its last vertex.
     vec3 first = cross(b - a, c - a), second = cross(b - c, d - c);
 
-#ifndef DEPTH_ONLY
-    baseColour = laws[law[0]].colour.rgb * (0.975 + 0.05 * cellNoise(uint(cell[0])));
-    insideFace = float((broken[0] >> uint(2 * axis + side)) & 1u);
-    crackedEdges = ((broken[0] >> uint(2 * ((axis + 1) % 3))) & 3u) |
-                   (((broken[0] >> uint(2 * ((axis + 2) % 3))) & 3u) << 2);
-    diagonalSlope = rising ? 1.0 : -1.0;
-#endif
-    emit(a, first, vec2(x.x, y.x));
-    emit(b, first, vec2(x.y, y.y));
-    emit(c, first, vec2(x.z, y.z));
-    emit(d, second, vec2(x.w, y.w));
+    emit(a, first, vec2(x.x, y.x), rising);
+    emit(b, first, vec2(x.y, y.y), rising);
+    emit(c, first, vec2(x.z, y.z), rising);
+    emit(d, second, vec2(x.w, y.w), rising);
     EndPrimitive();
-}
-
-void main() {
-    for (int face = 0; face < 6; ++face)
-        if (((open[0] >> uint(face)) & 1u) != 0u) emitFace(face >> 1, face & 1);
 }

@@ -1,51 +1,58 @@
-// One point per cell (thesis, figure 6.6): finds out which of its six faces are to be seen; the geometry shader makes them.
+// One point per face of a cell (thesis, figure 6.6, has one per cell): finds out whether the face is to be seen; the geometry
+// shader makes it. On llvmpipe, six points of four vertices each are as quick as one of up to 24 for a whole wall, and a seventh
+// quicker for a shattered one.
 #include "shared/layout.h"
 
 uniform usamplerBuffer cells;
 uniform samplerBuffer bodies;
 uniform samplerBuffer bonds;
 
-// Face 2·axis + side, side 1 on the positive side.
 flat out int cell;
+flat out int face;           // 2·axis + side, side 1 on the positive side; −1: nothing to be seen
 flat out uint law;
-flat out uint open;     // bit per face: no cell beyond it, or the bond with that cell is broken
-flat out uint broken;   // bit per face: there is a cell beyond it, but the bond is broken
-flat out uint parity_;  // of i + j + k: which of the two splits into tetrahedra
+flat out uint parity_;       // of i + j + k: which of the two splits into tetrahedra
+flat out uint inside;        // 1 on a face that a broken bond has bared
+flat out uint crackedEdges;  // bit per edge, at the − and + end of the next axis and of the one after it: beyond it the
+                             // same face goes on, but the bond with that cell is broken
+
+const int HOLDS = 0, BROKEN = 1, NO_NEIGHBOUR = 2;
 
 uint lawOf(int c) {
     return texelFetch(cells, c).r & uint((1 << SUNDER_LAW_BITS) - 1);
 }
 
+// What is between cell `c`, at `place` on a lattice of `size` cells, and its neighbour beyond face `f`.
+int bondBeyond(int f, int c, ivec3 place, ivec3 size) {
+    int axis = f >> 1;
+    bool positive = (f & 1) == 1;
+    if (place[axis] == (positive ? size[axis] - 1 : 0)) return NO_NEIGHBOUR;
+    int stride = axis == 0 ? 1 : axis == 1 ? size.x : size.x * size.y;
+    int neighbour = positive ? c + stride : c - stride;
+    if (texelFetch(bonds, 2 * (positive ? c : neighbour))[axis] < 1.0) return HOLDS;
+    return lawOf(neighbour) == SUNDER_ABSENT ? NO_NEIGHBOUR : BROKEN;
+}
+
 void main() {
-    cell = gl_VertexID;
+    cell = gl_VertexID / 6;
+    face = -1;
     law = lawOf(cell);
-    open = 0u;
-    broken = 0u;
-    parity_ = 0u;
+    parity_ = inside = crackedEdges = 0u;
     if (law == SUNDER_ABSENT) return;
 
     int body = int(texelFetch(cells, cell).r >> SUNDER_LAW_BITS);
     ivec4 lattice = ivec4(texelFetch(bodies, SUNDER_BODY_TEXELS * body));
+    ivec3 size = lattice.xyz;
     int local = cell - lattice.w;
-    ivec3 c = ivec3(local % lattice.x, (local / lattice.x) % lattice.y, local / (lattice.x * lattice.y));
-    parity_ = uint(c.x + c.y + c.z) & 1u;
+    ivec3 place = ivec3(local % size.x, (local / size.x) % size.y, local / (size.x * size.y));
 
-    vec4 own = texelFetch(bonds, 2 * cell);
-    int stride = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-        for (int side = 0; side < 2; ++side) {
-            uint bit = 1u << uint(2 * axis + side);
-            bool edge = side == 0 ? c[axis] == 0 : c[axis] == lattice[axis] - 1;
-            if (edge) {
-                open |= bit;
-                continue;
-            }
-            int neighbour = side == 0 ? cell - stride : cell + stride;
-            float damage = side == 0 ? texelFetch(bonds, 2 * neighbour)[axis] : own[axis];
-            if (damage < 1.0) continue;
-            open |= bit;
-            if (lawOf(neighbour) != SUNDER_ABSENT) broken |= bit;
-        }
-        stride *= lattice[axis];
+    int f = gl_VertexID % 6;
+    int bond = bondBeyond(f, cell, place, size);
+    if (bond == HOLDS) return;
+    face = f;
+    parity_ = uint(place.x + place.y + place.z) & 1u;
+    inside = bond == BROKEN ? 1u : 0u;
+    for (int edge = 0; edge < 4; ++edge) {
+        int axis = ((f >> 1) + 1 + (edge >> 1)) % 3;
+        if (bondBeyond(2 * axis + (edge & 1), cell, place, size) == BROKEN) crackedEdges |= 1u << uint(edge);
     }
 }

@@ -51,7 +51,7 @@ void CellPass::draw(const gpu::StateView& state, const glm::mat4& viewProjection
     gl::bindTexture(kRestUnit, GL_TEXTURE_BUFFER, buffers_.rest());
     glBindBufferBase(GL_UNIFORM_BUFFER, kLawBinding, buffers_.laws().id());
     glBindVertexArray(noAttributes_.id());
-    glDrawArrays(GL_POINTS, 0, buffers_.cellCount());
+    glDrawArrays(GL_POINTS, 0, 6 * buffers_.cellCount());
 }
 
 }  // namespace sunder

@@ -6,8 +6,8 @@
 
 namespace sunder {
 
-/// Draws all bodies' cells as point primitives, which a geometry shader turns into faces (thesis,
-/// figure 6.6).
+/// Draws all bodies' cells as point primitives, one per face, which a geometry shader turns into
+/// faces (thesis, figure 6.6).
 class CellPass {
   public:
     enum class Output {

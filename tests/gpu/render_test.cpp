@@ -1,0 +1,298 @@
+// Pictures of worlds whose pixels can be foretold.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "../../glsl/draw/sun.h"
+#include "catch.hpp"
+#include "core/types.hpp"
+#include "gpu/test_context.hpp"
+#include "render/camera.hpp"
+#include "render/renderer.hpp"
+
+using namespace sunder;
+
+namespace {
+
+constexpr int kWidth = 320, kHeight = 200;
+
+/// A wall of 8 x 4 x 1 cells of 0.25 m, its front in the plane z = 0.05, seen from straight in
+/// front.
+WorldDescription wallDescription() {
+    WorldDescription description;
+    Material material;
+    material.colour = {0.4, 0.2, 0.1};
+    description.materials = {material};
+    BodyDescription wall;
+    wall.name = "wall";
+    wall.size = {2, 1, 0.1};
+    wall.cells = {8, 4, 1};
+    description.bodies = {wall};
+    description.ground = false;
+    return description;
+}
+
+CameraDescription frontCamera() {
+    CameraDescription camera;
+    camera.position = {0, 0.5, 3};
+    camera.target = {0, 0.5, 0};
+    return camera;
+}
+
+State shifted(const World& world, const Vec3& by) {
+    State state = world.initialState();
+    std::fill(state.displacement.begin(), state.displacement.end(), by);
+    return state;
+}
+
+/// Out of every picture: what is left is the background.
+State nowhere(const World& world) {
+    return shifted(world, {0, -500, 0});
+}
+
+/// Draws and checks that GL found nothing wrong.
+Image picture(const World& world, const State& state, const CameraDescription& camera,
+              DrawStyle style = DrawStyle::Solid) {
+    gl::Context& context = testContext();
+    const gpu::WorldBuffers buffers(world);
+    gpu::StateUpload upload(world);
+    Renderer renderer(world, buffers);
+    RenderSettings settings;
+    settings.width = kWidth;
+    settings.height = kHeight;
+    settings.style = style;
+    Image image = renderer.draw(upload.upload(state), camera, settings);
+    const std::vector<std::string> errors = context.takeErrors();
+    CAPTURE(errors);
+    CHECK(errors.empty());
+    REQUIRE(image.width == kWidth);
+    REQUIRE(image.height == kHeight);
+    return image;
+}
+
+/// Pixel coordinates, from the top left, of a point.
+glm::vec2 project(const World& world, const CameraDescription& description, const glm::vec3& p) {
+    const Camera camera =
+        makeCamera(description, static_cast<float>(kWidth) / kHeight, sceneBounds(world));
+    const glm::vec4 clip = camera.viewProjection() * glm::vec4(p, 1);
+    return {(0.5f + 0.5f * clip.x / clip.w) * kWidth, (0.5f - 0.5f * clip.y / clip.w) * kHeight};
+}
+
+int brightness(const Image& image, int x, int y) {
+    const std::uint8_t* p = &image.pixels[3 * (std::size_t{static_cast<unsigned>(y)} * kWidth + x)];
+    return p[0] + p[1] + p[2];
+}
+
+int difference(const Image& a, const Image& b, int x, int y) {
+    int most = 0;
+    for (int channel = 0; channel < 3; ++channel) {
+        const std::size_t i = 3 * (std::size_t{static_cast<unsigned>(y)} * kWidth + x) + channel;
+        most = std::max(most, std::abs(int{a.pixels[i]} - int{b.pixels[i]}));
+    }
+    return most;
+}
+
+/// Number of pixels for which `counts` holds and the pictures differ by more than `threshold` of
+/// 255.
+int differing(
+    const Image& a, const Image& b, int threshold,
+    const std::function<bool(float x, float y)>& counts = [](float, float) { return true; }) {
+    int number = 0;
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x)
+            number += difference(a, b, x, y) > threshold &&
+                      counts(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+    return number;
+}
+
+}  // namespace
+
+TEST_CASE("A wall covers the pixels that its corners project to", "[render]") {
+    const World world(wallDescription());
+    const Image background = picture(world, nowhere(world), frontCamera());
+    for (const Vec3& shift : {Vec3(0, 0, 0), Vec3(0.3, -0.2, 0), Vec3(-0.15, 0.1, 0.7)}) {
+        CAPTURE(shift);
+        const Image image = picture(world, shifted(world, shift), frontCamera());
+        const glm::vec3 by(shift[0], shift[1], shift[2]);
+        const glm::vec2 low = project(world, frontCamera(), by + glm::vec3(-1, 1, 0.05f));
+        const glm::vec2 high = project(world, frontCamera(), by + glm::vec3(1, 0, 0.05f));
+        // The rectangle, smaller or larger by `margin` pixels; side faces point away from the
+        // camera or are hidden only when the wall is in the middle, so outside some room is left
+        // for them.
+        const auto inside = [&](float margin) {
+            return [=](float x, float y) {
+                return x > low.x - margin && x < high.x + margin && y > low.y - margin &&
+                       y < high.y + margin;
+            };
+        };
+        const int expected = static_cast<int>((high.x - low.x - 2) * (high.y - low.y - 2));
+        CHECK(differing(image, background, 8, inside(-1)) >= expected - 2 * (kWidth + kHeight));
+        const auto outside = inside(8);
+        CHECK(differing(image, background, 2, [&](float x, float y) { return !outside(x, y); }) ==
+              0);
+        // Not one pixel well inside shows the background.
+        int holes = 0;
+        for (int y = static_cast<int>(low.y) + 3; y < static_cast<int>(high.y) - 3; ++y)
+            for (int x = static_cast<int>(low.x) + 3; x < static_cast<int>(high.x) - 3; ++x)
+                holes += difference(image, background, x, y) <= 8;
+        CHECK(holes == 0);
+    }
+}
+
+TEST_CASE("The background shows through a removed cell", "[render]") {
+    WorldDescription description = wallDescription();
+    const World whole(description);
+    description.bodies[0].regions = {{{4, 2, 0}, {4, 2, 0}, -1}};
+    const World holed(description);
+    const Image background = picture(whole, nowhere(whole), frontCamera());
+    const Image image = picture(holed, holed.initialState(), frontCamera());
+
+    const auto colourAt = [&](float x, float y) {
+        const glm::vec2 p = project(holed, frontCamera(), {x, y, 0});
+        return difference(image, background, static_cast<int>(p.x), static_cast<int>(p.y));
+    };
+    CHECK(colourAt(0.125f, 0.625f) <= 2);  // middle of the removed cell
+    for (const auto& [x, y] :
+         {std::pair{-0.125f, 0.625f}, {0.375f, 0.625f}, {0.125f, 0.375f}, {0.125f, 0.875f}}) {
+        CAPTURE(x, y);
+        CHECK(colourAt(x, y) > 8);
+    }
+}
+
+TEST_CASE("A broken bond that has not opened is a dark line, and nothing else", "[render]") {
+    const World world(wallDescription());
+    const Body& wall = world.bodies()[0];
+    for (int axis = 0; axis < 2; ++axis) {
+        CAPTURE(axis);
+        State state = world.initialState();
+        state.damage[kBondsPerCell * wall.cellAt({3, 2, 0}) + axis] = 1;
+        const Image intact = picture(world, world.initialState(), frontCamera());
+        const Image cracked = picture(world, state, frontCamera());
+
+        // The bond's face meets the wall's front in the edge from `from` to `to`.
+        const glm::vec3 to(0, 0.75f, 0.05f);
+        const glm::vec3 from =
+            axis == 0 ? glm::vec3(0, 0.5f, 0.05f) : glm::vec3(-0.25f, 0.75f, 0.05f);
+        const glm::vec2 a = project(world, frontCamera(), from),
+                        b = project(world, frontCamera(), to);
+        const glm::vec2 middle = 0.5f * (a + b);
+        int darkest = 1000;
+        for (int dy = -2; dy <= 1; ++dy)
+            for (int dx = -2; dx <= 1; ++dx)
+                darkest = std::min(darkest, brightness(cracked, static_cast<int>(middle.x) + dx,
+                                                       static_cast<int>(middle.y) + dy));
+        const int before =
+            brightness(intact, static_cast<int>(middle.x), static_cast<int>(middle.y));
+        CHECK(darkest < 2 * before / 3);
+
+        const glm::vec2 low = glm::min(a, b) - 2.5f, high = glm::max(a, b) + 2.5f;
+        const auto near = [&](float x, float y) {
+            return x > low.x && x < high.x && y > low.y && y < high.y;
+        };
+        CHECK(differing(intact, cracked, 8, near) >= static_cast<int>(0.8f * glm::length(b - a)));
+        CHECK(differing(intact, cracked, 8, [&](float x, float y) { return !near(x, y); }) == 0);
+    }
+}
+
+TEST_CASE("The three styles show what they say", "[render]") {
+    const World world(wallDescription());
+    const Image background = picture(world, nowhere(world), frontCamera());
+    const State rest = world.initialState();
+    const Image solid = picture(world, rest, frontCamera());
+    const Image wire = picture(world, rest, frontCamera(), DrawStyle::Wireframe);
+    const Image overlay = picture(world, rest, frontCamera(), DrawStyle::Overlay);
+
+    const int wall = differing(solid, background, 8);
+    const int lines = differing(wire, background, 8);
+    const int drawnOver = differing(overlay, solid, 8);
+    CHECK(lines > wall / 20);
+    CHECK(lines < wall / 2);
+    CHECK(drawnOver > wall / 20);
+    CHECK(drawnOver < wall / 2);
+    CHECK(differing(overlay, background, 8) >= wall * 99 / 100);
+
+    // The diagonals are those of the tetrahedra: in the front of cell (4, 2), where i + j + k is
+    // even, the central tetrahedron has the corners 5 and 6, so the line falls from the top left to
+    // the bottom right. In (5, 2) it rises.
+    const auto lineAt = [&](float x, float y) {
+        const glm::vec2 p = project(world, frontCamera(), {x, y, 0.05f});
+        int most = 0;
+        for (int d = -1; d <= 0; ++d)
+            most = std::max(
+                most, difference(overlay, solid, static_cast<int>(p.x) + d, static_cast<int>(p.y)));
+        return most;
+    };
+    CHECK(lineAt(0.0625f, 0.6875f) > 8);
+    CHECK(lineAt(0.0625f, 0.5625f) <= 8);
+    CHECK(lineAt(0.3125f, 0.5625f) > 8);
+    CHECK(lineAt(0.3125f, 0.6875f) <= 8);
+}
+
+TEST_CASE("A wall throws its shadow on the ground, away from the sun", "[render]") {
+    WorldDescription description = wallDescription();
+    description.ground = true;
+    const World world(description);
+    CameraDescription above;  // straight down: where "up" in the picture has to be chosen
+    above.position = {0, 8, 0};
+    above.target = {0, 0, 0};
+    const Image empty = picture(world, nowhere(world), above);
+    const Image image = picture(world, world.initialState(), above);
+
+    using glm::vec3;
+    const vec3 sun = glm::normalize(SUNDER_SUN_DIRECTION);
+    const vec3 halfWay(0, 0.5f, 0);
+    const vec3 offset = sun * (halfWay.y / sun.y) - halfWay;
+    const auto ratio = [&](const vec3& p) {
+        const glm::vec2 pixel = project(world, above, p);
+        const int x = static_cast<int>(pixel.x), y = static_cast<int>(pixel.y);
+        return static_cast<double>(brightness(image, x, y)) / brightness(empty, x, y);
+    };
+    CHECK(ratio(-offset) < 0.75);
+    CHECK(ratio(offset) == Approx(1).margin(0.02));
+}
+
+TEST_CASE("Drawing leaves GL ready for the simulation", "[render]") {
+    const World world(wallDescription());
+    picture(world, world.initialState(), frontCamera(), DrawStyle::Wireframe);
+    for (const GLenum state : {GL_DEPTH_TEST, GL_CULL_FACE, GL_BLEND, GL_FRAMEBUFFER_SRGB,
+                               GL_DEPTH_CLAMP, GL_RASTERIZER_DISCARD, GL_SCISSOR_TEST}) {
+        CAPTURE(state);
+        CHECK(glIsEnabled(state) == GL_FALSE);
+    }
+    GLint mode[2] = {};  // compatible drivers report front and back
+    glGetIntegerv(GL_POLYGON_MODE, mode);
+    CHECK(mode[0] == GL_FILL);
+
+    const gpu::WorldBuffers buffers(world);
+    gpu::StateUpload upload(world);
+    Renderer renderer(world, buffers);
+    renderer.draw(upload.upload(world.initialState()), frontCamera(), RenderSettings{});
+    CHECK(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+    CHECK(testContext().takeErrors().empty());
+}
+
+TEST_CASE("A renderer outlives a picture that is too large", "[render]") {
+    testContext();
+    const World world(wallDescription());
+    const gpu::WorldBuffers buffers(world);
+    gpu::StateUpload upload(world);
+    Renderer renderer(world, buffers);
+    const gpu::StateView view = upload.upload(world.initialState());
+    for (const auto& [width, height] :
+         {std::pair{0, 100}, {100, -1}, {1 << 20, 10}, {16000, 16000}}) {
+        CAPTURE(width, height);
+        RenderSettings settings;
+        settings.width = width;
+        settings.height = height;
+        CHECK_THROWS_AS(renderer.draw(view, frontCamera(), settings), InputError);
+    }
+    RenderSettings settings;
+    settings.width = 33;
+    settings.height = 17;
+    settings.samples = 1000;  // clamped
+    CHECK(renderer.draw(view, frontCamera(), settings).pixels.size() == std::size_t{3} * 33 * 17);
+    CHECK(testContext().takeErrors().empty());
+}
