@@ -10,13 +10,15 @@ void integrateNode(inout vec3 displacement, inout vec3 velocity, vec3 accelerati
     velocity = velocity * drag + stepSize * acceleration;
     float speed = length(velocity);
     if (speed > speedLimit) velocity *= speedLimit / speed;
-    if (ground.x > 0.0 && restY + displacement.y + stepSize * velocity.y < 0.0) {
+    precise vec3 next = displacement + stepSize * velocity;
+    precise float height = restY + next.y;
+    if (ground.x > 0.0 && height < 0.0) {
         // The ground takes all of v_y; Coulomb friction takes at most μ times as much of the rest.
         float tangential = length(velocity.xz);
         float taken = ground.y * max(0.0, -velocity.y);
         float kept = tangential > taken ? 1.0 - taken / tangential : 0.0;
         velocity = vec3(kept * velocity.x, 0.0, kept * velocity.z);
-        displacement.y = -restY;
+        next = vec3(displacement.x + stepSize * velocity.x, -restY, displacement.z + stepSize * velocity.z);
     }
-    displacement += stepSize * velocity;
+    displacement = next;
 }

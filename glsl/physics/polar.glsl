@@ -3,20 +3,23 @@
 // Starts from Gram–Schmidt and turns R by ω, R ← R·exp[ω]. Near the maximum ω solves Newton's equation
 // (tr(S)·I − S)·ω = a with a the axial vector of RᵀG, which doubles the digits each time; where that matrix is not safely
 // positive definite (flat or inverted elements) the step of Müller et al. 2016, "A Robust Method to Extract the Rotational
-// Part of Deformations", climbs instead. Its damping alone would leave 1/81 of the first error after four steps, a skew
-// stress that does not keep angular momentum.
+// Part of Deformations", climbs instead. By itself it would leave 1/81 of the first error after four turns: a skew stress,
+// which does not keep angular momentum.
 
 vec3 perpendicular(vec3 a) {
     return normalize(abs(a.x) < 0.6 ? cross(a, vec3(1.0, 0.0, 0.0)) : cross(a, vec3(0.0, 1.0, 0.0)));
 }
 
 mat3 gramSchmidt(mat3 G) {
-    float smallest = 1.0e-12 * (dot(G[0], G[0]) + dot(G[1], G[1]) + dot(G[2], G[2])) + 1.0e-30;
+    float smallest = 1.0e-10 * (dot(G[0], G[0]) + dot(G[1], G[1]) + dot(G[2], G[2])) + 1.0e-30;
     float first = dot(G[0], G[0]);
     vec3 x = first > smallest ? G[0] * inversesqrt(first) : vec3(1.0, 0.0, 0.0);
     vec3 rest = G[1] - x * dot(x, G[1]);
     float second = dot(rest, rest);
-    vec3 y = second > smallest ? rest * inversesqrt(second) : perpendicular(x);
+    if (second <= smallest) return mat3(x, perpendicular(x), cross(x, perpendicular(x)));
+    // Twice is enough: the first difference loses digits when the columns are nearly parallel.
+    vec3 y = rest * inversesqrt(second);
+    y = normalize(y - x * dot(x, y));
     return mat3(x, y, cross(x, y));
 }
 
@@ -34,7 +37,8 @@ mat3 smallRotation(vec3 w) {
 
 mat3 polarRotation(mat3 G) {
     mat3 R = gramSchmidt(G);
-    for (int i = 0; i < 4; ++i) {
+    // Two or three turns do for what a wall goes through; the bound is for elements crushed out of shape.
+    for (int i = 0; i < 12; ++i) {
         mat3 A = transpose(R) * G;
         vec3 axial = vec3(A[1][2] - A[2][1], A[2][0] - A[0][2], A[0][1] - A[1][0]);
         float trace = A[0][0] + A[1][1] + A[2][2];

@@ -16,21 +16,16 @@ namespace {
 
 constexpr double kVolumeShare[kTetrahedraPerCell] = {1. / 6, 1. / 6, 1. / 6, 1. / 6, 1. / 3};
 
-Vec3 cornerOffset(int corner, const Vec3& cellSize) {
-    return Vec3(corner & 1, corner >> 1 & 1, corner >> 2).cwiseProduct(cellSize);
-}
-
 }  // namespace
 
 std::array<Mat3, kTetrahedraPerCell> cellGradients(const World& world, int cell, const std::vector<Vec3>& field,
                                                    double identity) {
-    const Vec3 size = world.bodies()[world.bodyOf(cell)].cellSize;
     std::array<Mat3, kTetrahedraPerCell> result;
     for (int t = 0; t < kTetrahedraPerCell; ++t) {
         const Tetrahedron& tet = kTetrahedra[world.parity(cell)][t];
         Mat3 rest, change;
         for (int edge = 0; edge < 3; ++edge) {
-            rest.col(edge) = cornerOffset(tet[edge + 1], size) - cornerOffset(tet[0], size);
+            rest.col(edge) = world.cornerOffset(cell, tet[edge + 1]) - world.cornerOffset(cell, tet[0]);
             change.col(edge) = field[kCorners * cell + tet[edge + 1]] - field[kCorners * cell + tet[0]];
         }
         result[t] = identity * Mat3::Identity() + change * rest.inverse();

@@ -13,11 +13,13 @@ double cellFrequencyFactor(double nu) {
     constexpr struct {
         double nu, kappa;
     } table[] = {{0, 2.74}, {.2, 2.98}, {.25, 3.19}, {.3, 3.51}, {.35, 3.99}, {.4, 4.84}, {.45, 6.79}};
-    for (std::size_t i = 1; i < std::size(table); ++i) {
-        const auto &a = table[i - 1], &b = table[i];
-        if (nu <= b.nu) return a.kappa + (b.kappa - a.kappa) * std::max(0.0, nu - a.nu) / (b.nu - a.nu);
-    }
-    return table[6].kappa * std::sqrt(0.1 / (1 - 2 * nu));
+    // κ² is linear in 1/(1−2ν), the growth of λ, to three digits; also beyond the table.
+    std::size_t i = 1;
+    while (i + 1 < std::size(table) && nu > table[i].nu) ++i;
+    const auto growth = [](double ratio) { return 1 / (1 - 2 * ratio); };
+    const auto &a = table[i - 1], &b = table[i];
+    const double share = (growth(nu) - growth(a.nu)) / (growth(b.nu) - growth(a.nu));
+    return std::sqrt(a.kappa * a.kappa + (b.kappa * b.kappa - a.kappa * a.kappa) * share);
 }
 
 double stableYoungModulus(double density, double edge, double nu, double h) {

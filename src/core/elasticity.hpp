@@ -3,8 +3,8 @@
 
 namespace sunder {
 
-/// κ(ν): the highest angular frequency of a free cubic cell of edge ℓ is κ·√(E/ρ)/ℓ. Table from the design, linear between
-/// its entries (κ is convex, so this errs on the safe side), ∝ 1/√(1−2ν) above 0.45.
+/// κ(ν): the highest angular frequency of a free cubic cell of edge ℓ is κ·√(E/ρ)/ℓ, mass lumped in eighths. Boxes
+/// whose shortest edge is ℓ lie below it.
 double cellFrequencyFactor(double poissonRatio);
 
 /// Largest Young's modulus, Pa, that steps of h seconds carry on cells whose shortest edge is `edge` m: symplectic Euler with

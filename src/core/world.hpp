@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -105,7 +104,7 @@ struct ElementLaw {
 
 struct Event {
     int body;
-    std::array<float, 3> point;  ///< m, world; single precision so that every solver picks the same nodes
+    Eigen::Vector3f point;  ///< m, world; single precision so that every solver picks the same nodes
     float radius;
     Vec3 acceleration;  ///< m/s²
     double start, end;  ///< in steps, fractions count
@@ -114,7 +113,7 @@ struct Event {
 };
 
 /// Whether a node is in an event's patch. The same single-precision operations in the same order as glsl/physics/events.glsl.
-bool insidePatch(const Event&, const std::array<float, 3>& rest);
+bool insidePatch(const Event&, const Eigen::Vector3f& rest);
 
 /// The state a solver advances. Doubles hold every solver's values without loss.
 struct State {
@@ -155,7 +154,10 @@ class World {
     /// Cell next to this one along axis (0..2) in direction ±1, or −1 when there is none.
     int neighbour(int cell, int axis, int direction) const;
 
-    Vec3 restPosition(int node) const;  ///< m; equal to the bit for all copies of a lattice point
+    /// m. A single-precision number, so that every solver has the same, and equal to the bit for all copies of a lattice point.
+    Vec3 restPosition(int node) const;
+    /// m, from the cell's corner 0 at rest; not rounded, so the shape of a cell does not depend on where it stands.
+    Vec3 cornerOffset(int cell, int corner) const;
     double nodeMass(int node) const { return nodeMass_[node]; }  ///< kg, of this copy alone; 0 where the cell is absent
     bool anchored(int node) const { return anchored_[node] != 0; }
     /// Pa; infinite where nothing but whole-cell fracture can break the bond.

@@ -18,8 +18,7 @@ ReferenceSolver::ReferenceSolver(const World& world) : world_(world) {
             Mat3 rest;
             const Tetrahedron& tet = kTetrahedra[world.parity(cell)][t];
             for (int i = 0; i < 4; ++i) element.nodes[i] = kCorners * cell + tet[i];
-            for (int i = 0; i < 3; ++i)
-                rest.col(i) = world.restPosition(element.nodes[i + 1]) - world.restPosition(element.nodes[0]);
+            for (int i = 0; i < 3; ++i) rest.col(i) = world.cornerOffset(cell, tet[i + 1]) - world.cornerOffset(cell, tet[0]);
             element.inverseRest = rest.inverse();
             element.volume = rest.determinant() / 6;
             element.cell = cell;
@@ -32,7 +31,7 @@ ReferenceSolver::ReferenceSolver(const World& world) : world_(world) {
         std::vector<int>& nodes = eventNodes_.emplace_back();
         for (int node = kCorners * body.firstCell; node < kCorners * (body.firstCell + body.cellCount()); ++node)
             if (const Vec3 x = world.restPosition(node);
-                insidePatch(event, {static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])}))
+                insidePatch(event, x.cast<float>()))
                 nodes.push_back(node);
     }
     force_.resize(world.nodeCount());
@@ -113,16 +112,18 @@ void ReferenceSolver::updateNodes() {
         const Body& body = world_.bodies()[world_.bodyOf(cell)];
         v = v * std::exp(-body.drag * h) + h * (force / mass + body.gravity + eventAcceleration_[node]);
         if (const double speed = v.norm(); speed > body.speedLimit) v *= body.speedLimit / speed;
+        Vec3 next = u + h * v;
         const double restY = world_.restPosition(node)[1];
-        if (world_.description().ground && restY + u[1] + h * v[1] < 0) {
+        if (world_.description().ground && restY + next[1] < 0) {
             // The ground takes all of v_y; Coulomb friction takes at most μ times as much of the rest.
             const double tangential = std::hypot(v[0], v[2]);
             const double taken = world_.description().groundFriction * std::max(0.0, -v[1]);
             const double kept = tangential > taken ? 1 - taken / tangential : 0;
             v = {kept * v[0], 0, kept * v[2]};
-            u[1] = -restY;
+            next = u + h * v;
+            next[1] = -restY;
         }
-        u += h * v;
+        u = next;
     }
 }
 

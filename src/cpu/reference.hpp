@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+
 #include "core/elasticity.hpp"
 #include "core/solver.hpp"
 

@@ -67,14 +67,11 @@ void ScatterSolver::makeElementBuffers() {
     std::vector<ElementVertex> elements;
     elements.reserve(std::size_t{kTetrahedraPerCell} * world_.cellCount());
     for (int cell = 0; cell < world_.cellCount(); ++cell) {
-        const Vec3 size = world_.bodies()[world_.bodyOf(cell)].cellSize;
         for (const Tetrahedron& tet : kTetrahedra[world_.parity(cell)]) {
             ElementVertex& element = elements.emplace_back();
-            const auto corner = [&](int i) {
-                return Vec3(tet[i] & 1, tet[i] >> 1 & 1, tet[i] >> 2).cwiseProduct(size).eval();
-            };
             Mat3 rest;
-            for (int i = 0; i < 3; ++i) rest.col(i) = corner(i + 1) - corner(0);
+            for (int i = 0; i < 3; ++i)
+                rest.col(i) = world_.cornerOffset(cell, tet[i + 1]) - world_.cornerOffset(cell, tet[0]);
             const Mat3 inverse = rest.inverse();
             for (int i = 0; i < 4; ++i) element.nodes[i] = kCorners * cell + tet[i];
             for (int column = 0; column < 3; ++column)

@@ -112,9 +112,9 @@ TEST_CASE("linear and angular momentum are kept without gravity and anchors") {
                 scale += world.nodeMass(node) * state.velocity[node].norm();
             // 1000 steps, each rounding every node's velocity once.
             CHECK((after.momentum - before.momentum).norm() < 1000 * under.epsilon * scale);
-            WARN(under.name << " " << toString(law) << " angular drift "
-                            << (after.angularMomentum - before.angularMomentum).norm() / before.angularMomentum.norm());
-            CHECK((after.angularMomentum - before.angularMomentum).norm() < 1e-3 * before.angularMomentum.norm());
+            // Damping is taken from where the nodes will be b·h later, which slows a spin of ω by b·h·ω² a second: with ω = 2.7
+            // 8e-5 in this third of a second, were all of it rigid.
+            CHECK((after.angularMomentum - before.angularMomentum).norm() < 1e-4 * before.angularMomentum.norm());
             CHECK(after.kinetic + after.elastic < before.kinetic + before.elastic);
             CHECK(after.elastic > 0.001 * before.kinetic);  // it did wobble
         }
