@@ -18,15 +18,18 @@ constexpr double kVolumeShare[kTetrahedraPerCell] = {1. / 6, 1. / 6, 1. / 6, 1. 
 
 }  // namespace
 
-std::array<Mat3, kTetrahedraPerCell> cellGradients(const World& world, int cell, const std::vector<Vec3>& field,
+std::array<Mat3, kTetrahedraPerCell> cellGradients(const World& world, int cell,
+                                                   const std::vector<Vec3>& field,
                                                    double identity) {
     std::array<Mat3, kTetrahedraPerCell> result;
     for (int t = 0; t < kTetrahedraPerCell; ++t) {
         const Tetrahedron& tet = kTetrahedra[world.parity(cell)][t];
         Mat3 rest, change;
         for (int edge = 0; edge < 3; ++edge) {
-            rest.col(edge) = world.cornerOffset(cell, tet[edge + 1]) - world.cornerOffset(cell, tet[0]);
-            change.col(edge) = field[kCorners * cell + tet[edge + 1]] - field[kCorners * cell + tet[0]];
+            rest.col(edge) =
+                world.cornerOffset(cell, tet[edge + 1]) - world.cornerOffset(cell, tet[0]);
+            change.col(edge) =
+                field[kCorners * cell + tet[edge + 1]] - field[kCorners * cell + tet[0]];
         }
         result[t] = identity * Mat3::Identity() + change * rest.inverse();
     }
@@ -89,7 +92,8 @@ std::uint64_t stateHash(const State& state) {
     const auto add = [&](const Vec3& v) {
         for (int i = 0; i < 3; ++i) {
             const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(v[i]));
-            for (int byte = 0; byte < 4; ++byte) hash = (hash ^ (bits >> 8 * byte & 0xff)) * 0x100000001b3u;
+            for (int byte = 0; byte < 4; ++byte)
+                hash = (hash ^ (bits >> 8 * byte & 0xff)) * 0x100000001b3u;
         }
     };
     for (std::size_t node = 0; node < state.displacement.size(); ++node) {

@@ -21,15 +21,16 @@ struct Diagnostics {
 
 Diagnostics diagnose(const World&, const State&);
 
-/// Deformation gradients (or their rates, from velocities) of a cell's five tetrahedra. `field`: displacement or velocity, per
-/// node; `identity`: 1 for displacements, 0 for rates.
-std::array<Mat3, kTetrahedraPerCell> cellGradients(const World&, int cell, const std::vector<Vec3>& field,
-                                                   double identity);
+/// Deformation gradients (or their rates, from velocities) of a cell's five tetrahedra. `field`:
+/// displacement or velocity, per node; `identity`: 1 for displacements, 0 for rates.
+std::array<Mat3, kTetrahedraPerCell> cellGradients(const World&, int cell,
+                                                   const std::vector<Vec3>& field, double identity);
 
 /// Largest principal Cauchy stress over a cell's tetrahedra, Pa, without damping.
 double cellPrincipalStress(const World&, const State&, int cell);
 
-/// 64-bit FNV-1a over every node's displacement and velocity in single precision, little-endian, in node order.
+/// 64-bit FNV-1a over every node's displacement and velocity in single precision, little-endian, in
+/// node order.
 std::uint64_t stateHash(const State&);
 
 }  // namespace sunder

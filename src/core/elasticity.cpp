@@ -12,7 +12,8 @@ namespace sunder {
 double cellFrequencyFactor(double nu) {
     constexpr struct {
         double nu, kappa;
-    } table[] = {{0, 2.74}, {.2, 2.98}, {.25, 3.19}, {.3, 3.51}, {.35, 3.99}, {.4, 4.84}, {.45, 6.79}};
+    } table[] = {{0, 2.74},   {.2, 2.98}, {.25, 3.19}, {.3, 3.51},
+                 {.35, 3.99}, {.4, 4.84}, {.45, 6.79}};
     // κ² is linear in 1/(1−2ν), the growth of λ, to three digits; also beyond the table.
     std::size_t i = 1;
     while (i + 1 < std::size(table) && nu > table[i].nu) ++i;
@@ -28,7 +29,8 @@ double stableYoungModulus(double density, double edge, double nu, double h) {
 }
 
 Mat3 polarRotation(const Mat3& G) {
-    // Far from singular, Higham's iteration R ← ½(R + R⁻ᵀ) doubles the digits each time (Higham 1986).
+    // Far from singular, Higham's iteration R ← ½(R + R⁻ᵀ) doubles the digits each time (Higham
+    // 1986).
     const double size = G.norm();
     if (G.determinant() > 1e-3 * size * size * size) {
         Mat3 R = G;
@@ -41,13 +43,14 @@ Mat3 polarRotation(const Mat3& G) {
         return R;
     }
     const Eigen::JacobiSVD<Mat3> svd(G, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    // Singular values come sorted: a reflection is taken out of the smallest one, which maximises tr(RᵀG).
+    // Singular values come sorted: a reflection is taken out of the smallest one, which maximises
+    // tr(RᵀG).
     const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
     return svd.matrixU() * Vec3(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
 }
 
-ElementStress elementStress(const ElementLaw& law, ConstitutiveLaw kind, const Mat3& F, const Mat3& rate,
-                            double h) {
+ElementStress elementStress(const ElementLaw& law, ConstitutiveLaw kind, const Mat3& F,
+                            const Mat3& rate, double h) {
     const bool hot = F.determinant() < 0.3 || F.squaredNorm() > 6;
     const Mat3 G = F + (hot ? kHotDamping : kDamping) * h * rate;
     const Mat3 R = polarRotation(G);

@@ -3,15 +3,17 @@
 
 namespace sunder {
 
-/// κ(ν): the highest angular frequency of a free cubic cell of edge ℓ is κ·√(E/ρ)/ℓ, mass lumped in eighths. Boxes
-/// whose shortest edge is ℓ lie below it.
+/// κ(ν): the highest angular frequency of a free cubic cell of edge ℓ is κ·√(E/ρ)/ℓ, mass lumped in
+/// eighths. Boxes whose shortest edge is ℓ lie below it.
 double cellFrequencyFactor(double poissonRatio);
 
-/// Largest Young's modulus, Pa, that steps of h seconds carry on cells whose shortest edge is `edge` m: symplectic Euler with
-/// stiffness-proportional damping b needs h²ω²(1+2b) ≤ 4; a factor 0.9 on ω is kept in reserve.
+/// Largest Young's modulus, Pa, that steps of h seconds carry on cells whose shortest edge is
+/// `edge` m: symplectic Euler with stiffness-proportional damping b needs h²ω²(1+2b) ≤ 4; a factor
+/// 0.9 on ω is kept in reserve.
 double stableYoungModulus(double density, double edge, double poissonRatio, double h);
 
-/// Rotation R of the polar decomposition G = R·S: the rotation that maximises tr(RᵀG), also when G is singular or inverted.
+/// Rotation R of the polar decomposition G = R·S: the rotation that maximises tr(RᵀG), also when G
+/// is singular or inverted.
 Mat3 polarRotation(const Mat3& G);
 
 /// Stiffness-proportional damping: stress is taken from G = F + b·h·Ḟ.
@@ -23,14 +25,16 @@ struct ElementStress {
     Mat3 rotation;  ///< R of G
 };
 
-/// Stress of one element from its deformation gradient F and its rate Ḟ (1/s) at step h (s), damping and the treatment of
-/// strongly deformed ("hot") elements included.
-ElementStress elementStress(const ElementLaw&, ConstitutiveLaw, const Mat3& F, const Mat3& rate, double h);
+/// Stress of one element from its deformation gradient F and its rate Ḟ (1/s) at step h (s),
+/// damping and the treatment of strongly deformed ("hot") elements included.
+ElementStress elementStress(const ElementLaw&, ConstitutiveLaw, const Mat3& F, const Mat3& rate,
+                            double h);
 
 /// Strain energy density, J/m³.
 double energyDensity(const ElementLaw&, ConstitutiveLaw, const Mat3& F);
 
-/// Largest principal Cauchy stress, Pa, times √(E/E_eff): what `fracture = "cell"` compares with maxStress.
+/// Largest principal Cauchy stress, Pa, times √(E/E_eff): what `fracture = "cell"` compares with
+/// maxStress.
 double largestPrincipalStress(const ElementLaw&, const Mat3& F, const Mat3& piola);
 
 }  // namespace sunder

@@ -22,10 +22,13 @@ constexpr MaterialField kFields[] = {
     {"noise_length", "m", 0, 100, false, false, &M::noiseLength, nullptr},
     {"noise_amplitude", "1", 0, 0.95, false, false, &M::noiseAmplitude, nullptr},
     {"cluster_size", "m", 0, 1000, true, false, nullptr, &M::clusterSize},
-    {"avg_display_section_width", "m", 0.001, 100, false, false, &M::avgDisplaySectionWidth, nullptr},
-    {"avg_display_section_height", "m", 0.001, 100, false, false, &M::avgDisplaySectionHeight, nullptr},
+    {"avg_display_section_width", "m", 0.001, 100, false, false, &M::avgDisplaySectionWidth,
+     nullptr},
+    {"avg_display_section_height", "m", 0.001, 100, false, false, &M::avgDisplaySectionHeight,
+     nullptr},
     {"rand_display_section_width", "m", 0, 100, false, false, &M::randDisplaySectionWidth, nullptr},
-    {"rand_display_section_height", "m", 0, 100, false, false, &M::randDisplaySectionHeight, nullptr},
+    {"rand_display_section_height", "m", 0, 100, false, false, &M::randDisplaySectionHeight,
+     nullptr},
     {"horiz_edge_frequency", "1", 0, 20, false, false, &M::horizEdgeFrequency, nullptr},
     {"horiz_edge_amplitude", "m", 0, 100, false, false, &M::horizEdgeAmplitude, nullptr},
     {"vert_edge_frequency", "1", 0, 20, false, false, &M::vertEdgeFrequency, nullptr},
@@ -35,7 +38,9 @@ constexpr MaterialField kFields[] = {
 
 }  // namespace
 
-std::span<const MaterialField> materialFields() { return kFields; }
+std::span<const MaterialField> materialFields() {
+    return kFields;
+}
 
 std::string_view toString(ConstitutiveLaw law) {
     return law == ConstitutiveLaw::Green ? "green" : "corotated";
@@ -43,19 +48,26 @@ std::string_view toString(ConstitutiveLaw law) {
 
 std::string_view toString(FractureMode mode) {
     switch (mode) {
-        case FractureMode::None: return "none";
-        case FractureMode::Cell: return "cell";
-        case FractureMode::Bond: return "bond";
+        case FractureMode::None:
+            return "none";
+        case FractureMode::Cell:
+            return "cell";
+        case FractureMode::Bond:
+            return "bond";
     }
     return "";
 }
 
 std::string_view toString(ClusterKind kind) {
     switch (kind) {
-        case ClusterKind::None: return "none";
-        case ClusterKind::Voronoi: return "voronoi";
-        case ClusterKind::RunningBond: return "running-bond";
-        case ClusterKind::Planks: return "planks";
+        case ClusterKind::None:
+            return "none";
+        case ClusterKind::Voronoi:
+            return "voronoi";
+        case ClusterKind::RunningBond:
+            return "running-bond";
+        case ClusterKind::Planks:
+            return "planks";
     }
     return "";
 }

@@ -28,23 +28,27 @@ enum class ClusterKind {
     Planks,       ///< strips side by side along x, running along y
 };
 
-/// Everything that makes wood wood. Each field: unit, range, what raising it does. Ranges are checked when a file is read
-/// (materialFields() below holds the same ranges for the reader and for sliders).
+/// Everything that makes wood wood. Each field: unit, range, what raising it does. Ranges are
+/// checked when a file is read (materialFields() below holds the same ranges for the reader and for
+/// sliders).
 struct Material {
     std::string name;
     std::string description;
 
     // --- Elasticity (thesis, chapter 6) ---
-    /// Young's modulus, Pa, 1 to 1e12. Stiffer; limited by the step (stableYoungModulus), never silently.
+    /// Young's modulus, Pa, 1 to 1e12. Stiffer; limited by the step (stableYoungModulus), never
+    /// silently.
     double youngModulus = 1e7;
-    /// Poisson's ratio, 1, 0 ≤ ν < 0.5. Bulges more sideways when squeezed; towards 0.5 volume is kept.
+    /// Poisson's ratio, 1, 0 ≤ ν < 0.5. Bulges more sideways when squeezed; towards 0.5 volume is
+    /// kept.
     double poissonRatio = 0.3;
     /// Density, kg/m³, 0.001 to 1e5. Heavier: slower waves, a hit moves it less.
     double density = 1000;
-    /// Drag, 1/s, 0 to 1e3: v ← v·exp(−d·h). Motion dies out sooner, flight too. A body of several materials takes the
-    /// mass-weighted mean of its cells.
+    /// Drag, 1/s, 0 to 1e3: v ← v·exp(−d·h). Motion dies out sooner, flight too. A body of several
+    /// materials takes the mass-weighted mean of its cells.
     double damping = 1;
-    /// Factor on the scene's gravity, 1, −100 to 100 (the thesis's `gravity`). Mass-weighted mean within a body.
+    /// Factor on the scene's gravity, 1, −100 to 100 (the thesis's `gravity`). Mass-weighted mean
+    /// within a body.
     double gravity = 1;
     ConstitutiveLaw law = ConstitutiveLaw::Corotated;
 
@@ -52,28 +56,34 @@ struct Material {
     FractureMode fracture = FractureMode::Bond;
     /// `cell` only: largest principal Cauchy stress a cell bears, Pa, > 0 to 1e15. Harder to break.
     double maxStress = 1e6;
-    /// `bond`: equivalent traction at which a face with normal x, y, z starts to take damage, Pa, > 0 to 1e15.
-    /// Wood is strong across faces with normal y (along its grain).
+    /// `bond`: equivalent traction at which a face with normal x, y, z starts to take damage, Pa, >
+    /// 0 to 1e15. Wood is strong across faces with normal y (along its grain).
     Vec3 strength{1e6, 1e6, 1e6};
     /// `bond`: the same for faces on the boundary of two clusters. Lower: chunks come apart whole.
     Vec3 boundaryStrength{1e6, 1e6, 1e6};
-    /// Length of material a crack must overload before it opens, m, 1e-6 to 100. Longer: tougher, fewer dust cells.
+    /// Length of material a crack must overload before it opens, m, 1e-6 to 100. Longer: tougher,
+    /// fewer dust cells.
     double damageLength = 1;
     /// Weight β of shear in the equivalent traction, 1, 0 to 10. Higher: shear breaks it too.
     double shearWeight = 0.3;
-    /// Internal friction μ, 1, 0 to 10: compression on a face holds shear back. Higher: pressed faces hold better.
+    /// Internal friction μ, 1, 0 to 10: compression on a face holds shear back. Higher: pressed
+    /// faces hold better.
     double internalFriction = 0.3;
-    /// Scatter of strengths from face to face, 1, 0 to 1 (Weibull of mean 1 and modulus 1.2/spread, kept in 0.25 to 3).
+    /// Scatter of strengths from face to face, 1, 0 to 1 (Weibull of mean 1 and modulus 1.2/spread,
+    /// kept in 0.25 to 3).
     double spread = 0;
-    /// Smooth variation of strength over space: its wave length, m, 0 (none) to 100, and amplitude, 1, 0 to 0.95.
+    /// Smooth variation of strength over space: its wave length, m, 0 (none) to 100, and amplitude,
+    /// 1, 0 to 0.95.
     double noiseLength = 0;
     double noiseAmplitude = 0;
     ClusterKind clusters = ClusterKind::None;
-    /// Mean size of a cluster along x, y, z, m, > 0 to 1000. Keep it at least three cells wide. Planks use x; bricks x and y.
+    /// Mean size of a cluster along x, y, z, m, > 0 to 1000. Keep it at least three cells wide.
+    /// Planks use x; bricks x and y.
     Vec3 clusterSize{0.4, 0.4, 0.4};
 
     // --- Display mesh (thesis, chapter 8) ---
-    double avgDisplaySectionWidth = 0.3;   ///< m, 0.001 to 100; section width before the random factor
+    double avgDisplaySectionWidth =
+        0.3;  ///< m, 0.001 to 100; section width before the random factor
     double avgDisplaySectionHeight = 0.8;  ///< m, 0.001 to 100
     double randDisplaySectionWidth = 0;    ///< m, 0 to 100; random width added to sections
     double randDisplaySectionHeight = 0;   ///< m, 0 to 100
@@ -86,14 +96,15 @@ struct Material {
     Vec3 colour{0.6, 0.6, 0.6};
 };
 
-/// One number in a Material: its key in a file, its range. The file reader and the tests walk this table.
+/// One number in a Material: its key in a file, its range. The file reader and the tests walk this
+/// table.
 struct MaterialField {
     std::string_view key;   ///< in TOML, for example "young_modulus"
     std::string_view unit;  ///< "Pa", "1/s", …; "1" for a plain number
     double min;
     double max;
-    bool minExcluded;  ///< the value must be greater than min
-    bool maxExcluded;  ///< the value must be less than max
+    bool minExcluded;          ///< the value must be greater than min
+    bool maxExcluded;          ///< the value must be less than max
     double Material::*scalar;  ///< exactly one of scalar and
     Vec3 Material::*vector;    ///< vector is set; a vector's range is each component's
 };

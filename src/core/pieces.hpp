@@ -6,7 +6,8 @@
 namespace sunder {
 
 struct Pieces {
-    std::vector<int> ofCell;  ///< piece number of each cell, 0-based in order of first cell; −1 for absent cells
+    std::vector<int>
+        ofCell;  ///< piece number of each cell, 0-based in order of first cell; −1 for absent cells
     int count = 0;
 };
 

@@ -5,7 +5,8 @@
 
 namespace sunder {
 
-/// Advances a world in time. Every solver means the same physics (shared contract: README, "Solvers").
+/// Advances a world in time. Every solver means the same physics (shared contract: README,
+/// "Solvers").
 class Solver {
   public:
     virtual ~Solver() = default;

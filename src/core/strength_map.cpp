@@ -18,14 +18,16 @@ std::uint64_t hash(std::uint64_t seed, std::uint64_t a, std::uint64_t b) {
 }
 
 std::uint64_t latticeKey(const Eigen::Matrix<std::int64_t, 3, 1>& c) {
-    return mix(static_cast<std::uint64_t>(c[0]) * 0x8da6b343u ^ mix(static_cast<std::uint64_t>(c[1]) * 0xd8163841u ^
-               mix(static_cast<std::uint64_t>(c[2]) + 0xcb1ab31fu)));
+    return mix(static_cast<std::uint64_t>(c[0]) * 0x8da6b343u ^
+               mix(static_cast<std::uint64_t>(c[1]) * 0xd8163841u ^
+                   mix(static_cast<std::uint64_t>(c[2]) + 0xcb1ab31fu)));
 }
 
 using LatticePoint = Eigen::Matrix<std::int64_t, 3, 1>;
 
 LatticePoint floorOf(const Vec3& p) {
-    return {static_cast<std::int64_t>(std::floor(p[0])), static_cast<std::int64_t>(std::floor(p[1])),
+    return {static_cast<std::int64_t>(std::floor(p[0])),
+            static_cast<std::int64_t>(std::floor(p[1])),
             static_cast<std::int64_t>(std::floor(p[2]))};
 }
 
@@ -54,8 +56,9 @@ std::uint64_t voronoiCluster(const Vec3& p, std::uint64_t seed) {
             for (int dx = -1; dx <= 1; ++dx) {
                 const LatticePoint c = base + LatticePoint(dx, dy, dz);
                 const std::uint64_t key = latticeKey(c);
-                const Vec3 site = c.cast<double>() + Vec3(hashUniform(seed, key, 1), hashUniform(seed, key, 2),
-                                                          hashUniform(seed, key, 3));
+                const Vec3 site =
+                    c.cast<double>() + Vec3(hashUniform(seed, key, 1), hashUniform(seed, key, 2),
+                                            hashUniform(seed, key, 3));
                 const double distance = (p - site).squaredNorm();
                 if (distance < best) {
                     best = distance;
@@ -69,7 +72,8 @@ std::uint64_t voronoiCluster(const Vec3& p, std::uint64_t seed) {
 double weibullFactor(double spread, double uniform) {
     if (spread <= 0) return 1;
     const double modulus = 1.2 / spread;
-    const double value = std::pow(-std::log1p(-uniform), 1 / modulus) / std::tgamma(1 + 1 / modulus);
+    const double value =
+        std::pow(-std::log1p(-uniform), 1 / modulus) / std::tgamma(1 + 1 / modulus);
     return std::clamp(value, 0.25, 3.0);
 }
 
@@ -82,25 +86,29 @@ double hashUniform(std::uint64_t seed, std::uint64_t a, std::uint64_t b) {
 std::uint64_t clusterOf(const Material& material, const Vec3& p, std::uint64_t seed) {
     const Vec3 q = p.cwiseQuotient(material.clusterSize);
     switch (material.clusters) {
-        case ClusterKind::None: return 0;
-        case ClusterKind::Voronoi: return voronoiCluster(q, seed);
+        case ClusterKind::None:
+            return 0;
+        case ClusterKind::Voronoi:
+            return voronoiCluster(q, seed);
         case ClusterKind::RunningBond: {
             const auto row = static_cast<std::int64_t>(std::floor(q[1]));
             const double shift = row & 1 ? 0.5 : 0;
             return latticeKey(floorOf({q[0] + shift, q[1], q[2]}));
         }
-        case ClusterKind::Planks: return latticeKey(floorOf({q[0], 0, 0}));
+        case ClusterKind::Planks:
+            return latticeKey(floorOf({q[0], 0, 0}));
     }
     return 0;
 }
 
-double bondStrength(const Material& material, const Vec3& a, const Vec3& b, int axis, std::uint64_t bond,
-                    std::uint64_t seed) {
+double bondStrength(const Material& material, const Vec3& a, const Vec3& b, int axis,
+                    std::uint64_t bond, std::uint64_t seed) {
     const bool boundary = clusterOf(material, a, seed) != clusterOf(material, b, seed);
     double strength = (boundary ? material.boundaryStrength : material.strength)[axis];
     strength *= weibullFactor(material.spread, hashUniform(seed, bond, 4));
     if (material.noiseLength > 0)
-        strength *= 1 + material.noiseAmplitude * smoothNoise(0.5 * (a + b) / material.noiseLength, seed);
+        strength *=
+            1 + material.noiseAmplitude * smoothNoise(0.5 * (a + b) / material.noiseLength, seed);
     return strength;
 }
 

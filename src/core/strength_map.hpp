@@ -6,14 +6,15 @@
 
 namespace sunder {
 
-/// A pure function of (seed, a, b): a uniform number in [0, 1). Independent of call order, the same on every machine.
+/// A pure function of (seed, a, b): a uniform number in [0, 1). Independent of call order, the same
+/// on every machine.
 double hashUniform(std::uint64_t seed, std::uint64_t a, std::uint64_t b);
 
 /// Number of the cluster a point belongs to. `p`: m, in the body's frame, measured from its origin.
 std::uint64_t clusterOf(const Material&, const Vec3& p, std::uint64_t seed);
 
-/// Strength in Pa of the bond between cells centred at `a` and `b` = a + one cell along `axis` (shared/fracture.md, point 6).
-/// `bond` names the bond for the random factor.
+/// Strength in Pa of the bond between cells centred at `a` and `b` = a + one cell along `axis`
+/// (shared/fracture.md, point 6). `bond` names the bond for the random factor.
 double bondStrength(const Material&, const Vec3& a, const Vec3& b, int axis, std::uint64_t bond,
                     std::uint64_t seed);
 

@@ -5,15 +5,17 @@
 
 namespace sunder {
 
-/// Eigenvalues, largest first, and their eigenvectors (columns, orthonormal) of a symmetric 3×3 matrix.
+/// Eigenvalues, largest first, and their eigenvectors (columns, orthonormal) of a symmetric 3×3
+/// matrix.
 template <class T>
 struct SymmetricEigen {
     Eigen::Matrix<T, 3, 1> values;
     Eigen::Matrix<T, 3, 3> vectors;
 };
 
-/// Cyclic Jacobi rotations (Golub & Van Loan, Matrix Computations, §8.5). Chosen over closed forms because it stays accurate
-/// to the last digits when eigenvalues coincide; four sweeps reach single, six double precision.
+/// Cyclic Jacobi rotations (Golub & Van Loan, Matrix Computations, §8.5). Chosen over closed forms
+/// because it stays accurate to the last digits when eigenvalues coincide; four sweeps reach
+/// single, six double precision.
 template <class T>
 SymmetricEigen<T> symmetricEigen(Eigen::Matrix<T, 3, 3> a) {
     Eigen::Matrix<T, 3, 3> v = Eigen::Matrix<T, 3, 3>::Identity();
@@ -25,7 +27,8 @@ SymmetricEigen<T> symmetricEigen(Eigen::Matrix<T, 3, 3> a) {
             const T theta = (a(q, q) - a(p, p)) / (T(2) * a(p, q));
             const T t = std::isinf(theta * theta)
                             ? T(0.5) / theta
-                            : std::copysign(T(1), theta) / (std::abs(theta) + std::sqrt(theta * theta + T(1)));
+                            : std::copysign(T(1), theta) /
+                                  (std::abs(theta) + std::sqrt(theta * theta + T(1)));
             const T c = T(1) / std::sqrt(t * t + T(1)), s = t * c;
             const int r = 3 - p - q;
             const T apr = a(p, r), aqr = a(q, r), apq = a(p, q);

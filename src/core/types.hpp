@@ -8,7 +8,8 @@ using Vec3 = Eigen::Vector3d;
 using IVec3 = Eigen::Vector3i;
 using Mat3 = Eigen::Matrix3d;
 
-/// Wrong use or bad input: one clear sentence for the user (where, what was wrong, what would be right). Exit code 2.
+/// Wrong use or bad input: one clear sentence for the user (where, what was wrong, what would be
+/// right). Exit code 2.
 struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

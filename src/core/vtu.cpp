@@ -55,7 +55,8 @@ std::string toVtu(const World& world, const State& state) {
     const auto perPoint = [&](std::string_view name, auto&& value) {
         w.open("Float32", name, 3);
         for (const int cell : cells)
-            for (int corner = 0; corner < kCorners; ++corner) w.vector(value(kCorners * cell + corner));
+            for (int corner = 0; corner < kCorners; ++corner)
+                w.vector(value(kCorners * cell + corner));
         w.close();
     };
     const auto perCell = [&](std::string_view type, std::string_view name, auto&& value) {
@@ -67,13 +68,15 @@ std::string toVtu(const World& world, const State& state) {
         w.close();
     };
 
-    w.raw("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-          "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"");
+    w.raw(
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+        "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"");
     w.number(points, '"');
     w.raw(" NumberOfCells=\"");
     w.number(tetrahedra, '"');
     w.raw(">\n<Points>\n");
-    perPoint("Points", [&](int node) -> Vec3 { return world.restPosition(node) + state.displacement[node]; });
+    perPoint("Points",
+             [&](int node) -> Vec3 { return world.restPosition(node) + state.displacement[node]; });
     w.raw("</Points>\n<Cells>\n");
     w.open("Int64", "connectivity");
     for (std::size_t i = 0; i < cells.size(); ++i)
@@ -93,7 +96,8 @@ std::string toVtu(const World& world, const State& state) {
     perPoint("velocity", [&](int node) { return state.velocity[node]; });
     w.raw("</PointData>\n<CellData>\n");
     const Pieces pieces = findPieces(world, state);
-    perCell("Int32", "material", [&](int cell) { return world.laws()[world.lawOf(cell)].material; });
+    perCell("Int32", "material",
+            [&](int cell) { return world.laws()[world.lawOf(cell)].material; });
     perCell("Float32", "max_principal_stress",
             [&](int cell) { return static_cast<float>(cellPrincipalStress(world, state, cell)); });
     perCell("Int32", "piece", [&](int cell) { return pieces.ofCell[cell]; });

@@ -5,8 +5,8 @@
 
 namespace sunder {
 
-/// The state as a VTK XML unstructured grid (.vtu, ASCII): tetrahedra at their current positions, point data `displacement`
-/// and `velocity`, cell data `material`, `max_principal_stress`, `piece`.
+/// The state as a VTK XML unstructured grid (.vtu, ASCII): tetrahedra at their current positions,
+/// point data `displacement` and `velocity`, cell data `material`, `max_principal_stress`, `piece`.
 std::string toVtu(const World&, const State&);
 
 }  // namespace sunder

@@ -16,10 +16,14 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct SidePlace {
     int axis, end;
 };
-SidePlace place(Side side) { return {static_cast<int>(side) / 2, static_cast<int>(side) % 2}; }
+SidePlace place(Side side) {
+    return {static_cast<int>(side) / 2, static_cast<int>(side) % 2};
+}
 
 /// A body's own seed, so that fifty copies of a wall break in fifty ways.
-std::uint64_t bodySeed(std::uint64_t seed, std::size_t body) { return seed * 0x9e3779b97f4a7c15u + body; }
+std::uint64_t bodySeed(std::uint64_t seed, std::size_t body) {
+    return seed * 0x9e3779b97f4a7c15u + body;
+}
 
 }  // namespace
 
@@ -38,7 +42,8 @@ double Event::weight(std::int64_t step) const {
 }
 
 bool insidePatch(const Event& event, const Eigen::Vector3f& rest) {
-    const float x = rest[0] - event.point[0], y = rest[1] - event.point[1], z = rest[2] - event.point[2];
+    const float x = rest[0] - event.point[0], y = rest[1] - event.point[1],
+                z = rest[2] - event.point[2];
     return x * x + y * y + z * z <= event.radius * event.radius;
 }
 
@@ -70,16 +75,20 @@ Vec3 World::restPosition(int node) const {
     const int cell = node / kCorners, corner = node % kCorners;
     const Body& body = bodies_[cellBody_[cell]];
     const IVec3 point = body.coordinates(cell) + IVec3(corner & 1, corner >> 1 & 1, corner >> 2);
-    return (body.origin + point.cast<double>().cwiseProduct(body.cellSize)).cast<float>().cast<double>();
+    return (body.origin + point.cast<double>().cwiseProduct(body.cellSize))
+        .cast<float>()
+        .cast<double>();
 }
 
 Vec3 World::cornerOffset(int cell, int corner) const {
-    return Vec3(corner & 1, corner >> 1 & 1, corner >> 2).cwiseProduct(bodies_[cellBody_[cell]].cellSize);
+    return Vec3(corner & 1, corner >> 1 & 1, corner >> 2)
+        .cwiseProduct(bodies_[cellBody_[cell]].cellSize);
 }
 
 int World::lawFor(int materialIndex, const Vec3& cellSize) {
     for (std::size_t i = 0; i < laws_.size(); ++i)
-        if (laws_[i].material == materialIndex && laws_[i].cellSize == cellSize) return static_cast<int>(i);
+        if (laws_[i].material == materialIndex && laws_[i].cellSize == cellSize)
+            return static_cast<int>(i);
     if (laws_.size() == kMaxElementLaws)
         throw InputError("the world has more than " + std::to_string(kMaxElementLaws) +
                          " combinations of material and cell size; use fewer");
@@ -87,7 +96,8 @@ int World::lawFor(int materialIndex, const Vec3& cellSize) {
     ElementLaw law;
     law.material = materialIndex;
     law.cellSize = cellSize;
-    const double stable = stableYoungModulus(m.density, cellSize.minCoeff(), m.poissonRatio, description_.step);
+    const double stable =
+        stableYoungModulus(m.density, cellSize.minCoeff(), m.poissonRatio, description_.step);
     law.limited = m.youngModulus > stable;
     law.youngModulus = std::min(m.youngModulus, stable);
     const double E = law.youngModulus, nu = m.poissonRatio;
@@ -103,12 +113,13 @@ int World::lawFor(int materialIndex, const Vec3& cellSize) {
 void World::layOutCells() {
     std::int64_t total = 0;
     for (const BodyDescription& b : description_.bodies) {
-        const std::int64_t cells =
-            static_cast<std::int64_t>(b.cells[0]) * b.cells[1];  // cannot overflow; the product of three could
+        const std::int64_t cells = static_cast<std::int64_t>(b.cells[0]) *
+                                   b.cells[1];  // cannot overflow; the product of three could
         total += cells > kMaxCells ? kMaxCells + 1 : cells * b.cells[2];
         if (total > kMaxCells)
-            throw InputError("the world is too large: it has more than " + std::to_string(kMaxCells) +
-                             " cells with body '" + b.name + "'; use fewer or larger cells");
+            throw InputError("the world is too large: it has more than " +
+                             std::to_string(kMaxCells) + " cells with body '" + b.name +
+                             "'; use fewer or larger cells");
     }
     cellBody_.reserve(total);
     cellLaw_.reserve(total);
@@ -143,7 +154,9 @@ void World::layOutCells() {
             drag += m.density * m.damping;
             gravity += m.density * m.gravity;
         }
-        if (present == 0) throw InputError("body '" + body.name + "' has no cells left: its regions remove them all");
+        if (present == 0)
+            throw InputError("body '" + body.name +
+                             "' has no cells left: its regions remove them all");
         body.drag = drag / density;
         body.gravity = description_.gravity * (gravity / density);
         presentCells_ += present;
@@ -158,9 +171,10 @@ void World::layOutNodes() {
     for (int cell = 0; cell < cellCount(); ++cell) {
         if (!present(cell)) continue;
         const Body& body = bodies_[cellBody_[cell]];
-        // Lumped mass: an eighth of the cell at each corner, the mean of the two mirrored splits. A quarter of each
-        // tetrahedron at each of its corners would put 1/24 and 5/24 on alternate corners, and raise the highest frequency
-        // of a free cell, which limits the step, by up to a third.
+        // Lumped mass: an eighth of the cell at each corner, the mean of the two mirrored splits. A
+        // quarter of each tetrahedron at each of its corners would put 1/24 and 5/24 on alternate
+        // corners, and raise the highest frequency of a free cell, which limits the step, by up to
+        // a third.
         const double cornerMass = materialOf(cell).density * body.cellSize.prod() / kCorners;
         std::fill_n(nodeMass_.begin() + kCorners * cell, kCorners, cornerMass);
         const IVec3 c = body.coordinates(cell);
@@ -188,13 +202,15 @@ void World::makeBonds() {
             ++bondCount_;
             Vec3 otherCentre = centre;
             otherCentre[axis] += body.cellSize[axis];
-            const std::uint64_t bond = kBondsPerCell * static_cast<std::uint64_t>(cell - body.firstCell) + axis;
+            const std::uint64_t bond =
+                kBondsPerCell * static_cast<std::uint64_t>(cell - body.firstCell) + axis;
             double strength = kInfinity;
             // Where two materials meet, the weaker one gives way.
             for (const int side : {cell, other})
                 if (materialOf(side).fracture == FractureMode::Bond)
-                    strength = std::min(strength, sunder::bondStrength(materialOf(side), centre, otherCentre, axis,
-                                                                       bond, seed));
+                    strength =
+                        std::min(strength, sunder::bondStrength(materialOf(side), centre,
+                                                                otherCentre, axis, bond, seed));
             bondStrength_[kBondsPerCell * cell + axis] = static_cast<float>(strength);
         }
     }
@@ -202,7 +218,8 @@ void World::makeBonds() {
 
 void World::makeEvents() {
     std::vector<EventDescription> sorted = description_.events;
-    std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.body < b.body; });
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const auto& a, const auto& b) { return a.body < b.body; });
     for (const EventDescription& from : sorted) {
         Body& body = bodies_[from.body];
         Event event;
@@ -212,17 +229,25 @@ void World::makeEvents() {
         event.start = from.time / step();
         event.end = (from.time + from.duration) / step();
         double mass = 0;
-        for (int node = kCorners * body.firstCell; node < kCorners * (body.firstCell + body.cellCount()); ++node) {
+        for (int node = kCorners * body.firstCell;
+             node < kCorners * (body.firstCell + body.cellCount()); ++node) {
             if (!anchored(node) && insidePatch(event, restPosition(node).cast<float>()))
                 mass += nodeMass(node);
         }
         if (mass == 0)
-            throw InputError(from.where + ": no free node of body '" + body.name + "' lies within radius " +
+            throw InputError(from.where + ": no free node of body '" + body.name +
+                             "' lies within radius " +
                              "of point; move the point onto the body or raise the radius");
         switch (from.kind) {
-            case EventDescription::Kind::Impulse: event.acceleration = from.vector / (mass * from.duration); break;
-            case EventDescription::Kind::Force: event.acceleration = from.vector / mass; break;
-            case EventDescription::Kind::Velocity: event.acceleration = from.vector / from.duration; break;
+            case EventDescription::Kind::Impulse:
+                event.acceleration = from.vector / (mass * from.duration);
+                break;
+            case EventDescription::Kind::Force:
+                event.acceleration = from.vector / mass;
+                break;
+            case EventDescription::Kind::Velocity:
+                event.acceleration = from.vector / from.duration;
+                break;
         }
         if (body.eventCount++ == 0) body.firstEvent = static_cast<int>(events_.size());
         events_.push_back(event);

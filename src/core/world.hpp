@@ -8,12 +8,14 @@
 
 namespace sunder {
 
-/// Corners of a cell: bit 0, 1, 2 of the corner's number is set on its +x, +y, +z side. Node = 8·cell + corner.
+/// Corners of a cell: bit 0, 1, 2 of the corner's number is set on its +x, +y, +z side. Node =
+/// 8·cell + corner.
 inline constexpr int kCorners = 8;
 inline constexpr int kTetrahedraPerCell = 5;
 /// A cell owns the bonds through its +x, +y and +z faces. Bond = 3·cell + axis.
 inline constexpr int kBondsPerCell = 3;
-/// Damage of a bond that never was: no neighbour on that side. A bond holds while its damage is below 1.
+/// Damage of a bond that never was: no neighbour on that side. A bond holds while its damage is
+/// below 1.
 inline constexpr double kNoBond = 2;
 /// Material constants of one cell come from a table of this many rows at most (one uniform block).
 inline constexpr int kMaxElementLaws = 256;
@@ -41,16 +43,17 @@ struct BodyDescription {
     std::vector<RegionDescription> regions;
 };
 
-/// Something that pushes a patch of a body for a while. All nodes whose rest position lies within `radius` of `point` get the
-/// same acceleration.
+/// Something that pushes a patch of a body for a while. All nodes whose rest position lies within
+/// `radius` of `point` get the same acceleration.
 struct EventDescription {
     enum class Kind {
         Impulse,   ///< vector is the whole momentum given to the patch, N·s
         Force,     ///< vector is the whole force on the patch, N
         Velocity,  ///< vector is the change of velocity of the patch were it free, m/s
     };
-    double time = 0;        ///< s
-    double duration = 5e-3;  ///< s; an impulse is spread evenly over it (0.005 by default: less dust)
+    double time = 0;  ///< s
+    double duration =
+        5e-3;  ///< s; an impulse is spread evenly over it (0.005 by default: less dust)
     Kind kind = Kind::Impulse;
     int body = 0;
     Vec3 point{0, 0, 0};  ///< m, relative to the body's position
@@ -59,13 +62,14 @@ struct EventDescription {
     std::string where;  ///< for error messages, for example "wood.toml:31: event 1"
 };
 
-/// What a scene file says about the world, checked field by field but not yet laid out as cells and nodes.
+/// What a scene file says about the world, checked field by field but not yet laid out as cells and
+/// nodes.
 struct WorldDescription {
     std::vector<Material> materials;
     std::vector<BodyDescription> bodies;
     std::vector<EventDescription> events;
-    Vec3 gravity{0, -9.81, 0};  ///< m/s²
-    bool ground = true;         ///< a floor at y = 0
+    Vec3 gravity{0, -9.81, 0};    ///< m/s²
+    bool ground = true;           ///< a floor at y = 0
     double groundFriction = 0.6;  ///< Coulomb coefficient, 1, 0 to 10
     double step = 1.0 / 3000;     ///< s, one substep
     int fractureInterval = 4;     ///< substeps from one fracture update to the next, 1 to 100
@@ -78,24 +82,28 @@ struct Body {
     Vec3 cellSize;  ///< m
     Vec3 origin;    ///< m, the corner with the smallest coordinates
     int firstCell = 0;
-    double drag = 0;      ///< 1/s, mass-weighted mean of its cells' `damping`
-    Vec3 gravity{0, 0, 0};  ///< m/s², the scene's times the mass-weighted mean of its cells' `gravity`
+    double drag = 0;  ///< 1/s, mass-weighted mean of its cells' `damping`
+    Vec3 gravity{0, 0,
+                 0};  ///< m/s², the scene's times the mass-weighted mean of its cells' `gravity`
     double speedLimit = 0;  ///< m/s, half the shortest cell edge per step
     int firstEvent = 0, eventCount = 0;
 
     int cellCount() const { return cells.prod(); }
     /// World-wide index of the cell at lattice coordinates c (must lie inside).
-    int cellAt(const IVec3& c) const { return firstCell + c[0] + cells[0] * (c[1] + cells[1] * c[2]); }
+    int cellAt(const IVec3& c) const {
+        return firstCell + c[0] + cells[0] * (c[1] + cells[1] * c[2]);
+    }
     IVec3 coordinates(int cell) const;
     bool contains(const IVec3& c) const;
 };
 
-/// Constants of one material on cells of one size at the world's step: what an element needs to turn strain into stress.
+/// Constants of one material on cells of one size at the world's step: what an element needs to
+/// turn strain into stress.
 struct ElementLaw {
     int material = 0;
     Vec3 cellSize{1, 1, 1};
-    double youngModulus = 0;  ///< Pa, E_eff: not more than the step can carry
-    bool limited = false;     ///< E_eff < the material's
+    double youngModulus = 0;    ///< Pa, E_eff: not more than the step can carry
+    bool limited = false;       ///< E_eff < the material's
     double lambda = 0, mu = 0;  ///< Pa, Lamé parameters of E_eff
     double stressScale = 1;     ///< S = √(E/E_eff): what an impact's stress lost to the limit
     double damageTime = 1;      ///< s, τ = ℓ_d/√(E_eff/ρ)
@@ -104,7 +112,8 @@ struct ElementLaw {
 
 struct Event {
     int body;
-    Eigen::Vector3f point;  ///< m, world; single precision so that every solver picks the same nodes
+    Eigen::Vector3f
+        point;  ///< m, world; single precision so that every solver picks the same nodes
     float radius;
     Vec3 acceleration;  ///< m/s²
     double start, end;  ///< in steps, fractions count
@@ -112,7 +121,8 @@ struct Event {
     double weight(std::int64_t step) const;
 };
 
-/// Whether a node is in an event's patch. The same single-precision operations in the same order as glsl/physics/events.glsl.
+/// Whether a node is in an event's patch. The same single-precision operations in the same order as
+/// glsl/physics/events.glsl.
 bool insidePatch(const Event&, const Eigen::Vector3f& rest);
 
 /// The state a solver advances. Doubles hold every solver's values without loss.
@@ -120,12 +130,14 @@ struct State {
     std::int64_t step = 0;
     std::vector<Vec3> displacement;  ///< m, per node, from rest
     std::vector<Vec3> velocity;      ///< m/s, per node
-    std::vector<double> damage;      ///< per bond; holds below 1, never decreases; kNoBond: no neighbour
-    std::vector<double> slow;        ///< Pa, per bond: slow part of its traction
+    std::vector<double>
+        damage;                ///< per bond; holds below 1, never decreases; kNoBond: no neighbour
+    std::vector<double> slow;  ///< Pa, per bond: slow part of its traction
 };
 
 /// Bodies laid out as cells, nodes and bonds: everything that does not change while time runs.
-/// Cells of all bodies share one numbering, dense within a body (x fastest), so neighbours follow from the lattice.
+/// Cells of all bodies share one numbering, dense within a body (x fastest), so neighbours follow
+/// from the lattice.
 class World {
   public:
     /// Throws InputError when something is too large, empty or contradictory.
@@ -154,11 +166,15 @@ class World {
     /// Cell next to this one along axis (0..2) in direction ±1, or −1 when there is none.
     int neighbour(int cell, int axis, int direction) const;
 
-    /// m. A single-precision number, so that every solver has the same, and equal to the bit for all copies of a lattice point.
+    /// m. A single-precision number, so that every solver has the same, and equal to the bit for
+    /// all copies of a lattice point.
     Vec3 restPosition(int node) const;
-    /// m, from the cell's corner 0 at rest; not rounded, so the shape of a cell does not depend on where it stands.
+    /// m, from the cell's corner 0 at rest; not rounded, so the shape of a cell does not depend on
+    /// where it stands.
     Vec3 cornerOffset(int cell, int corner) const;
-    double nodeMass(int node) const { return nodeMass_[node]; }  ///< kg, of this copy alone; 0 where the cell is absent
+    double nodeMass(int node) const {
+        return nodeMass_[node];
+    }  ///< kg, of this copy alone; 0 where the cell is absent
     bool anchored(int node) const { return anchored_[node] != 0; }
     /// Pa; infinite where nothing but whole-cell fracture can break the bond.
     float bondStrength(int bond) const { return bondStrength_[bond]; }

@@ -18,7 +18,9 @@ ReferenceSolver::ReferenceSolver(const World& world) : world_(world) {
             Mat3 rest;
             const Tetrahedron& tet = kTetrahedra[world.parity(cell)][t];
             for (int i = 0; i < 4; ++i) element.nodes[i] = kCorners * cell + tet[i];
-            for (int i = 0; i < 3; ++i) rest.col(i) = world.cornerOffset(cell, tet[i + 1]) - world.cornerOffset(cell, tet[0]);
+            for (int i = 0; i < 3; ++i)
+                rest.col(i) =
+                    world.cornerOffset(cell, tet[i + 1]) - world.cornerOffset(cell, tet[0]);
             element.inverseRest = rest.inverse();
             element.volume = rest.determinant() / 6;
             element.cell = cell;
@@ -29,9 +31,9 @@ ReferenceSolver::ReferenceSolver(const World& world) : world_(world) {
     for (const Event& event : world.events()) {
         const Body& body = world.bodies()[event.body];
         std::vector<int>& nodes = eventNodes_.emplace_back();
-        for (int node = kCorners * body.firstCell; node < kCorners * (body.firstCell + body.cellCount()); ++node)
-            if (const Vec3 x = world.restPosition(node);
-                insidePatch(event, x.cast<float>()))
+        for (int node = kCorners * body.firstCell;
+             node < kCorners * (body.firstCell + body.cellCount()); ++node)
+            if (const Vec3 x = world.restPosition(node); insidePatch(event, x.cast<float>()))
                 nodes.push_back(node);
     }
     force_.resize(world.nodeCount());
@@ -60,22 +62,25 @@ void ReferenceSolver::advance(int steps) {
 /// Forces of every tetrahedron on its own copies of its corners: −V·P·∇N.
 void ReferenceSolver::updateElements(bool fracture) {
     std::fill(force_.begin(), force_.end(), Vec3::Zero());
-    if (fracture) std::fill(principal_.begin(), principal_.end(), -std::numeric_limits<double>::infinity());
+    if (fracture)
+        std::fill(principal_.begin(), principal_.end(), -std::numeric_limits<double>::infinity());
     for (const Element& e : elements_) {
         Mat3 displacement, velocity;
         for (int i = 0; i < 3; ++i) {
-            displacement.col(i) = state_.displacement[e.nodes[i + 1]] - state_.displacement[e.nodes[0]];
+            displacement.col(i) =
+                state_.displacement[e.nodes[i + 1]] - state_.displacement[e.nodes[0]];
             velocity.col(i) = state_.velocity[e.nodes[i + 1]] - state_.velocity[e.nodes[0]];
         }
         const Mat3 F = Mat3::Identity() + displacement * e.inverseRest;
         const ElementLaw& law = world_.laws()[world_.lawOf(e.cell)];
-        const ElementStress stress =
-            elementStress(law, world_.materialOf(e.cell).law, F, velocity * e.inverseRest, world_.step());
+        const ElementStress stress = elementStress(law, world_.materialOf(e.cell).law, F,
+                                                   velocity * e.inverseRest, world_.step());
         const Mat3 forces = -e.volume * stress.piola * e.inverseRest.transpose();
         for (int i = 0; i < 3; ++i) force_[e.nodes[i + 1]] += forces.col(i);
         force_[e.nodes[0]] -= forces.rowwise().sum();
         if (!fracture) continue;
-        principal_[e.cell] = std::max(principal_[e.cell], largestPrincipalStress(law, F, stress.piola));
+        principal_[e.cell] =
+            std::max(principal_[e.cell], largestPrincipalStress(law, F, stress.piola));
         if (e.apex >= 0) {
             const Mat3 biot = stress.rotation.transpose() * stress.piola;
             cellStress_[e.cell][e.apex] = 0.5 * (biot + biot.transpose());
@@ -88,7 +93,8 @@ void ReferenceSolver::updateNodes() {
     const double h = world_.step();
     std::fill(eventAcceleration_.begin(), eventAcceleration_.end(), Vec3::Zero());
     for (std::size_t i = 0; i < eventNodes_.size(); ++i) {
-        const Vec3 acceleration = world_.events()[i].weight(state_.step) * world_.events()[i].acceleration;
+        const Vec3 acceleration =
+            world_.events()[i].weight(state_.step) * world_.events()[i].acceleration;
         for (const int node : eventNodes_[i]) eventAcceleration_[node] += acceleration;
     }
     for (int node = 0; node < world_.nodeCount(); ++node) {
@@ -97,7 +103,8 @@ void ReferenceSolver::updateNodes() {
         Vec3 force = Vec3::Zero();
         double mass = 0;
         bool anchored = false;
-        for (int octant = 0; octant < 8; ++octant) {  // the same order for every copy of the lattice point
+        for (int octant = 0; octant < 8;
+             ++octant) {  // the same order for every copy of the lattice point
             if (!(links_[node] >> octant & 1)) continue;
             const int member = kCorners * cellInOctant(world_, cell, corner, octant) + (octant ^ 7);
             force += force_[member];
@@ -110,12 +117,14 @@ void ReferenceSolver::updateNodes() {
             continue;
         }
         const Body& body = world_.bodies()[world_.bodyOf(cell)];
-        v = v * std::exp(-body.drag * h) + h * (force / mass + body.gravity + eventAcceleration_[node]);
+        v = v * std::exp(-body.drag * h) +
+            h * (force / mass + body.gravity + eventAcceleration_[node]);
         if (const double speed = v.norm(); speed > body.speedLimit) v *= body.speedLimit / speed;
         Vec3 next = u + h * v;
         const double restY = world_.restPosition(node)[1];
         if (world_.description().ground && restY + next[1] < 0) {
-            // The ground takes all of v_y; Coulomb friction takes at most μ times as much of the rest.
+            // The ground takes all of v_y; Coulomb friction takes at most μ times as much of the
+            // rest.
             const double tangential = std::hypot(v[0], v[2]);
             const double taken = world_.description().groundFriction * std::max(0.0, -v[1]);
             const double kept = tangential > taken ? 1 - taken / tangential : 0;
@@ -137,7 +146,9 @@ void ReferenceSolver::updateFracture() {
 /// `fracture = "cell"` (thesis, chapter 7): an overstressed cell leaves all its neighbours.
 void ReferenceSolver::breakCells() {
     for (int cell = 0; cell < world_.cellCount(); ++cell) {
-        if (!world_.present(cell) || !(principal_[cell] > world_.laws()[world_.lawOf(cell)].maxStress)) continue;
+        if (!world_.present(cell) ||
+            !(principal_[cell] > world_.laws()[world_.lawOf(cell)].maxStress))
+            continue;
         for (int axis = 0; axis < 3; ++axis)
             for (const int owner : {cell, world_.neighbour(cell, axis, -1)})
                 if (owner >= 0) {
@@ -147,15 +158,17 @@ void ReferenceSolver::breakCells() {
     }
 }
 
-/// Equivalent traction on the face between a cell and its neighbour along `axis`, dynamic part scaled by S; also advances the
-/// bond's slow part.
-double ReferenceSolver::equivalentTraction(int cell, int axis, const ElementLaw& law, double interval) {
+/// Equivalent traction on the face between a cell and its neighbour along `axis`, dynamic part
+/// scaled by S; also advances the bond's slow part.
+double ReferenceSolver::equivalentTraction(int cell, int axis, const ElementLaw& law,
+                                           double interval) {
     const Material& material = world_.materialOf(cell);
     const int other = world_.neighbour(cell, axis, +1);
     double normal[2], shear[2];
     int triangle = 0;
     for (int t = 0; t < 4; ++t) {
-        // The face's two triangles belong to the corner tetrahedra whose apex lies on it, on either side.
+        // The face's two triangles belong to the corner tetrahedra whose apex lies on it, on either
+        // side.
         const int apex = kTetrahedra[world_.parity(cell)][t][0];
         if (!(apex >> axis & 1)) continue;
         const Mat3 T = 0.5 * (cellStress_[cell][apex] + cellStress_[other][apex ^ 1 << axis]);
@@ -185,14 +198,17 @@ void ReferenceSolver::damageBonds() {
             const double strength = world_.bondStrength(bond);
             if (damage >= 1 || !std::isfinite(strength)) continue;
             const double ratio = equivalentTraction(cell, axis, law, interval) / strength;
-            if (ratio > 1) damage = std::min(1.0, damage + interval / law.damageTime * std::min(ratio - 1, 4.0));
+            if (ratio > 1)
+                damage =
+                    std::min(1.0, damage + interval / law.damageTime * std::min(ratio - 1, 4.0));
         }
     }
 }
 
 void ReferenceSolver::updateLinks() {
     for (int node = 0; node < world_.nodeCount(); ++node)
-        links_[node] = linkMask(heldBonds(world_, state_, node / kCorners, node % kCorners), (node % kCorners) ^ 7);
+        links_[node] = linkMask(heldBonds(world_, state_, node / kCorners, node % kCorners),
+                                (node % kCorners) ^ 7);
 }
 
 }  // namespace sunder

@@ -6,8 +6,8 @@
 
 namespace sunder {
 
-/// The thesis's CPU version: plain loops in double precision, one step after the other. Slow, obvious, and what every other
-/// solver is compared with. Shares no code with the GPU's shaders.
+/// The thesis's CPU version: plain loops in double precision, one step after the other. Slow,
+/// obvious, and what every other solver is compared with. Shares no code with the GPU's shaders.
 class ReferenceSolver : public Solver {
   public:
     explicit ReferenceSolver(const World& world);

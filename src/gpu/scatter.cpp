@@ -13,9 +13,22 @@ namespace sunder::gpu {
 namespace {
 
 // Texture units. One meaning each, so that a pass only binds what changed.
-enum Unit { kCells, kBodies, kRest, kNodes, kBonds, kEvents, kLinks, kForces, kStresses, kCumulative, kUnitCount };
-constexpr const char* kSamplers[kUnitCount] = {"cells",  "bodies", "rest",   "nodes",    "bonds",
-                                               "events", "links",  "forces", "stresses", "cumulativeForces"};
+enum Unit {
+    kCells,
+    kBodies,
+    kRest,
+    kNodes,
+    kBonds,
+    kEvents,
+    kLinks,
+    kForces,
+    kStresses,
+    kCumulative,
+    kUnitCount
+};
+constexpr const char* kSamplers[kUnitCount] = {"cells",    "bodies",          "rest",  "nodes",
+                                               "bonds",    "events",          "links", "forces",
+                                               "stresses", "cumulativeForces"};
 constexpr int kLawBinding = 0;
 constexpr int kStressTexels = 3;  // SUNDER_STRESS_TEXELS in glsl/scatter/textures.glsl
 
@@ -39,7 +52,8 @@ gl::Framebuffer makeTarget(std::initializer_list<const gl::Texture*> textures) {
     for (const gl::Texture* texture : textures)
         glFramebufferTexture2D(GL_FRAMEBUFFER, attachment++, GL_TEXTURE_2D, texture->id(), 0);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw ContextError("the driver cannot draw into floating-point textures, which the scatter solver needs");
+        throw ContextError(
+            "the driver cannot draw into floating-point textures, which the scatter solver needs");
     return framebuffer;
 }
 
@@ -53,10 +67,13 @@ void drawBuffers(int count) {
 ScatterSolver::ScatterSolver(const World& world, const WorldBuffers& buffers)
     : world_(world),
       buffers_(buffers),
-      height_((std::max(kCorners, kStressTexels * kTetrahedraPerCell) * world.cellCount() + SUNDER_TEXTURE_WIDTH - 1) /
+      height_((std::max(kCorners, kStressTexels * kTetrahedraPerCell) * world.cellCount() +
+               SUNDER_TEXTURE_WIDTH - 1) /
               SUNDER_TEXTURE_WIDTH),
-      nodes_{{{NodeBuffer(world), gl::makeVertexArray()}, {NodeBuffer(world), gl::makeVertexArray()}}},
-      bonds_{{{BondBuffer(world), gl::makeVertexArray()}, {BondBuffer(world), gl::makeVertexArray()}}} {
+      nodes_{
+          {{NodeBuffer(world), gl::makeVertexArray()}, {NodeBuffer(world), gl::makeVertexArray()}}},
+      bonds_{{{BondBuffer(world), gl::makeVertexArray()},
+              {BondBuffer(world), gl::makeVertexArray()}}} {
     makeElementBuffers();
     makeTargets();
     makePrograms();
@@ -71,7 +88,8 @@ void ScatterSolver::makeElementBuffers() {
             ElementVertex& element = elements.emplace_back();
             Mat3 rest;
             for (int i = 0; i < 3; ++i)
-                rest.col(i) = world_.cornerOffset(cell, tet[i + 1]) - world_.cornerOffset(cell, tet[0]);
+                rest.col(i) =
+                    world_.cornerOffset(cell, tet[i + 1]) - world_.cornerOffset(cell, tet[0]);
             const Mat3 inverse = rest.inverse();
             for (int i = 0; i < 4; ++i) element.nodes[i] = kCorners * cell + tet[i];
             for (int column = 0; column < 3; ++column)
@@ -93,8 +111,8 @@ void ScatterSolver::makeElementBuffers() {
     std::vector<vec4> strengths(world_.cellCount(), vec4(0));
     for (int cell = 0; cell < world_.cellCount(); ++cell)
         for (int axis = 0; axis < kBondsPerCell; ++axis)
-            strengths[cell][axis] =
-                std::min(world_.bondStrength(kBondsPerCell * cell + axis), static_cast<float>(SUNDER_UNBREAKABLE));
+            strengths[cell][axis] = std::min(world_.bondStrength(kBondsPerCell * cell + axis),
+                                             static_cast<float>(SUNDER_UNBREAKABLE));
     strengthBuffer_ = gl::makeBuffer<vec4>(strengths, GL_STATIC_DRAW, "bond strengths");
 
     for (const NodeSide& side : nodes_) {
@@ -112,7 +130,8 @@ void ScatterSolver::makeElementBuffers() {
         attribute(2, 4, sizeof(vec4), 0);
     }
 
-    linkBuffer_ = gl::Buffer(std::size_t{8} * world_.cellCount(), nullptr, GL_DYNAMIC_COPY, "link masks");
+    linkBuffer_ =
+        gl::Buffer(std::size_t{8} * world_.cellCount(), nullptr, GL_DYNAMIC_COPY, "link masks");
     linkTexture_ = gl::makeBufferTexture(linkBuffer_, GL_RG32UI, "link masks");
     const std::size_t eventCount = std::max<std::size_t>(1, world_.events().size());
     eventBuffer_ = gl::Buffer(sizeof(EventRecord) * eventCount, nullptr, GL_DYNAMIC_DRAW, "events");
@@ -122,30 +141,34 @@ void ScatterSolver::makeElementBuffers() {
 void ScatterSolver::makeTargets() {
     forceTexture_ = gl::makeTexture2D(SUNDER_TEXTURE_WIDTH, height_, GL_RGBA32F, "force texture");
     stressTexture_ = gl::makeTexture2D(SUNDER_TEXTURE_WIDTH, height_, GL_RGBA32F, "stress texture");
-    cumulativeTexture_ = gl::makeTexture2D(SUNDER_TEXTURE_WIDTH, height_, GL_RGBA32F, "cumulative force texture");
+    cumulativeTexture_ =
+        gl::makeTexture2D(SUNDER_TEXTURE_WIDTH, height_, GL_RGBA32F, "cumulative force texture");
     discardTexture_ = gl::makeTexture2D(1, 1, GL_RGBA8, "discarded texels");
     elementTarget_ = makeTarget({&forceTexture_, &stressTexture_});
     cumulativeTarget_ = makeTarget({&cumulativeTexture_});
     discardTarget_ = makeTarget({&discardTexture_});
 
-    // The force texture's alpha carries the inverse mass of each node's copy and is masked from here on: 0 anchors the node.
+    // The force texture's alpha carries the inverse mass of each node's copy and is masked from
+    // here on: 0 anchors the node.
     std::vector<vec4> texels(std::size_t{SUNDER_TEXTURE_WIDTH} * height_, vec4(0));
     for (int node = 0; node < world_.nodeCount(); ++node)
         if (!world_.anchored(node) && world_.nodeMass(node) > 0)
             texels[node].w = static_cast<float>(1 / world_.nodeMass(node));
     glBindTexture(GL_TEXTURE_2D, forceTexture_.id());
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, SUNDER_TEXTURE_WIDTH, height_, GL_RGBA, GL_FLOAT, texels.data());
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, SUNDER_TEXTURE_WIDTH, height_, GL_RGBA, GL_FLOAT,
+                    texels.data());
 }
 
 void ScatterSolver::makePrograms() {
     for (const int fracture : {0, 1})
-        elementPrograms_[fracture] = gl::Program({.vertex = "scatter/element.vert",
-                                                  .geometry = "scatter/element.geom",
-                                                  .fragment = "scatter/element.frag",
-                                                  .defines = {{"FRACTURE", std::to_string(fracture)}},
-                                                  .attributes = {{"nodeIndices", 0}, {"inverseRest", 1}}});
-    connectivityProgram_ =
-        gl::Program({.vertex = "scatter/connectivity.vert", .fragment = "scatter/connectivity.frag"});
+        elementPrograms_[fracture] =
+            gl::Program({.vertex = "scatter/element.vert",
+                         .geometry = "scatter/element.geom",
+                         .fragment = "scatter/element.frag",
+                         .defines = {{"FRACTURE", std::to_string(fracture)}},
+                         .attributes = {{"nodeIndices", 0}, {"inverseRest", 1}}});
+    connectivityProgram_ = gl::Program(
+        {.vertex = "scatter/connectivity.vert", .fragment = "scatter/connectivity.frag"});
     nodeProgram_ = gl::Program({.vertex = "scatter/node.vert",
                                 .feedback = {"newDisplacement", "newVelocity"},
                                 .attributes = {{"displacement", 0}, {"velocity", 1}}});
@@ -155,13 +178,15 @@ void ScatterSolver::makePrograms() {
     linkProgram_ = gl::Program({.vertex = "scatter/links.vert", .feedback = {"newLinks"}});
 
     const auto h = static_cast<float>(world_.step());
-    for (const gl::Program* program : {&elementPrograms_[0], &elementPrograms_[1], &connectivityProgram_,
-                                       &nodeProgram_, &fractureProgram_, &linkProgram_}) {
+    for (const gl::Program* program :
+         {&elementPrograms_[0], &elementPrograms_[1], &connectivityProgram_, &nodeProgram_,
+          &fractureProgram_, &linkProgram_}) {
         program->bindUniformBlock("ElementLaws", kLawBinding);
         for (int unit = 0; unit < kUnitCount; ++unit) program->bindSampler(kSamplers[unit], unit);
         glUniform1f(program->uniform("targetHeight"), static_cast<float>(height_));
         glUniform1f(program->uniform("stepSize"), h);
-        glUniform1f(program->uniform("interval"), static_cast<float>(world_.description().fractureInterval) * h);
+        glUniform1f(program->uniform("interval"),
+                    static_cast<float>(world_.description().fractureInterval) * h);
         glUniform2f(program->uniform("ground"), world_.description().ground ? 1.0f : 0.0f,
                     static_cast<float>(world_.description().groundFriction));
     }
@@ -190,7 +215,9 @@ StateView ScatterSolver::view() const {
     return {&nodes_[currentNodes_].nodes.texture(), &bonds_[currentBonds_].bonds.texture()};
 }
 
-void ScatterSolver::finish() { glFinish(); }
+void ScatterSolver::finish() {
+    glFinish();
+}
 
 void ScatterSolver::advance(int steps) {
     writeEvents();
@@ -220,7 +247,8 @@ void ScatterSolver::advance(int steps) {
     }
 }
 
-/// Event times count steps from the start of this call: single precision stays exact however long the world has run.
+/// Event times count steps from the start of this call: single precision stays exact however long
+/// the world has run.
 void ScatterSolver::writeEvents() {
     std::vector<EventRecord> records;
     for (const Event& event : world_.events()) {
@@ -231,7 +259,8 @@ void ScatterSolver::writeEvents() {
                            {toFloat(a[0]), toFloat(a[1]), toFloat(a[2]), 0},
                            {toFloat(event.start - now), toFloat(event.end - now), 0, 0}});
     }
-    if (!records.empty()) eventBuffer_.write(0, sizeof(EventRecord) * records.size(), records.data());
+    if (!records.empty())
+        eventBuffer_.write(0, sizeof(EventRecord) * records.size(), records.data());
 }
 
 void ScatterSolver::updateElements(bool fracture) {
@@ -262,13 +291,15 @@ void ScatterSolver::updateNodes(int stepInFrame) {
     nodeProgram_.use();
     glUniform1f(stepInFrameUniform_, static_cast<float>(stepInFrame));
     const int next = 1 - currentNodes_;
-    feedback(nodeProgram_, nodes_[currentNodes_].attributes, nodes_[next].nodes.buffer(), world_.nodeCount());
+    feedback(nodeProgram_, nodes_[currentNodes_].attributes, nodes_[next].nodes.buffer(),
+             world_.nodeCount());
     currentNodes_ = next;
 }
 
 void ScatterSolver::updateFracture() {
     const int next = 1 - currentBonds_;
-    feedback(fractureProgram_, bonds_[currentBonds_].attributes, bonds_[next].bonds.buffer(), world_.cellCount());
+    feedback(fractureProgram_, bonds_[currentBonds_].attributes, bonds_[next].bonds.buffer(),
+             world_.cellCount());
     currentBonds_ = next;
 }
 
@@ -277,9 +308,10 @@ void ScatterSolver::updateLinks() {
     feedback(linkProgram_, noAttributes_, linkBuffer_, world_.cellCount());
 }
 
-void ScatterSolver::feedback(const gl::Program& program, const gl::VertexArray& attributes, const gl::Buffer& target,
-                             int count) {
-    // Nothing is rasterised, but without a complete framebuffer the draw would fail and capture nothing.
+void ScatterSolver::feedback(const gl::Program& program, const gl::VertexArray& attributes,
+                             const gl::Buffer& target, int count) {
+    // Nothing is rasterised, but without a complete framebuffer the draw would fail and capture
+    // nothing.
     glBindFramebuffer(GL_FRAMEBUFFER, discardTarget_.id());
     glEnable(GL_RASTERIZER_DISCARD);
     program.use();

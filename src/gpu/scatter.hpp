@@ -6,14 +6,16 @@
 
 namespace sunder::gpu {
 
-/// The thesis's GPU method, figure by figure: points scatter nodal forces and stresses into float textures by additive
-/// blending (6.4, 7.2), a connectivity pass adds up joined nodes (7.4), node (6.5) and fracture (7.3) updates feed back
-/// through transform feedback with ping-pong buffers. Nothing is read back while it advances.
+/// The thesis's GPU method, figure by figure: points scatter nodal forces and stresses into float
+/// textures by additive blending (6.4, 7.2), a connectivity pass adds up joined nodes (7.4), node
+/// (6.5) and fracture (7.3) updates feed back through transform feedback with ping-pong buffers.
+/// Nothing is read back while it advances.
 ///
 /// Needs a current GL context for as long as it lives.
 class ScatterSolver : public GpuSolver {
   public:
-    /// Throws InputError when the world is too large for the device. `world` and `buffers` must outlive it.
+    /// Throws InputError when the world is too large for the device. `world` and `buffers` must
+    /// outlive it.
     ScatterSolver(const World& world, const WorldBuffers& buffers);
 
     std::string_view name() const override { return "scatter"; }
@@ -24,7 +26,8 @@ class ScatterSolver : public GpuSolver {
     StateView view() const override;
 
   private:
-    /// Reading order of vertex attributes and the buffers behind a state: [current] is read, [1 − current] written.
+    /// Reading order of vertex attributes and the buffers behind a state: [current] is read, [1 −
+    /// current] written.
     struct NodeSide {
         NodeBuffer nodes;
         gl::VertexArray attributes;
@@ -44,7 +47,8 @@ class ScatterSolver : public GpuSolver {
     void updateFracture();
     void updateLinks();
     /// Runs `program` over `count` vertices with its outputs captured in `target`.
-    void feedback(const gl::Program& program, const gl::VertexArray& attributes, const gl::Buffer& target, int count);
+    void feedback(const gl::Program& program, const gl::VertexArray& attributes,
+                  const gl::Buffer& target, int count);
 
     const World& world_;
     const WorldBuffers& buffers_;

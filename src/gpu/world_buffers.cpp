@@ -10,7 +10,8 @@ namespace sunder::gpu {
 namespace {
 
 vec4 toVec4(const Vec3& v, double w) {
-    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), static_cast<float>(w)};
+    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]),
+            static_cast<float>(w)};
 }
 
 gl::Buffer makeRest(const World& world) {
@@ -23,7 +24,8 @@ gl::Buffer makeRest(const World& world) {
 gl::Buffer makeCells(const World& world) {
     std::vector<std::uint32_t> cells(world.cellCount());
     for (int cell = 0; cell < world.cellCount(); ++cell) {
-        const std::uint32_t law = world.present(cell) ? static_cast<std::uint32_t>(world.lawOf(cell)) : SUNDER_ABSENT;
+        const std::uint32_t law =
+            world.present(cell) ? static_cast<std::uint32_t>(world.lawOf(cell)) : SUNDER_ABSENT;
         cells[cell] = law | static_cast<std::uint32_t>(world.bodyOf(cell)) << SUNDER_LAW_BITS;
     }
     return gl::makeBuffer<std::uint32_t>(cells, GL_STATIC_DRAW, "cells");
@@ -31,12 +33,15 @@ gl::Buffer makeCells(const World& world) {
 
 gl::Buffer makeBodies(const World& world) {
     if (world.bodies().size() >= 1u << (32 - SUNDER_LAW_BITS))
-        throw InputError("the world has too many bodies for the GPU: " + std::to_string(world.bodies().size()));
+        throw InputError("the world has too many bodies for the GPU: " +
+                         std::to_string(world.bodies().size()));
     std::vector<BodyRecord> bodies;
     for (const Body& body : world.bodies())
-        bodies.push_back({toVec4(body.cells.cast<double>(), body.firstCell), toVec4(body.cellSize, body.speedLimit),
-                          toVec4(body.gravity, std::exp(-body.drag * world.step())),
-                          vec4(static_cast<float>(body.firstEvent), static_cast<float>(body.eventCount), 0, 0)});
+        bodies.push_back(
+            {toVec4(body.cells.cast<double>(), body.firstCell),
+             toVec4(body.cellSize, body.speedLimit),
+             toVec4(body.gravity, std::exp(-body.drag * world.step())),
+             vec4(static_cast<float>(body.firstEvent), static_cast<float>(body.eventCount), 0, 0)});
     return gl::makeBuffer<BodyRecord>(bodies, GL_STATIC_DRAW, "bodies");
 }
 
@@ -46,12 +51,12 @@ gl::Buffer makeLaws(const World& world) {
         const sunder::ElementLaw& law = world.laws()[i];
         const Material& material = world.description().materials[law.material];
         laws[i].cellSize = toVec4(law.cellSize, law.cellSize.prod());
-        laws[i].elasticity =
-            toVec4({law.lambda, law.mu,
-                    material.law == ConstitutiveLaw::Green ? SUNDER_LAW_GREEN : SUNDER_LAW_COROTATED},
-                   law.stressScale);
-        laws[i].fracture = toVec4({std::min(law.maxStress, double{SUNDER_UNBREAKABLE}), 1 / law.damageTime,
-                                   material.shearWeight},
+        laws[i].elasticity = toVec4(
+            {law.lambda, law.mu,
+             material.law == ConstitutiveLaw::Green ? SUNDER_LAW_GREEN : SUNDER_LAW_COROTATED},
+            law.stressScale);
+        laws[i].fracture = toVec4({std::min(law.maxStress, double{SUNDER_UNBREAKABLE}),
+                                   1 / law.damageTime, material.shearWeight},
                                   material.internalFriction);
         laws[i].colour = toVec4(material.colour, 0);
     }
@@ -61,7 +66,8 @@ gl::Buffer makeLaws(const World& world) {
 }  // namespace
 
 static_assert(SUNDER_MAX_ELEMENT_LAWS == kMaxElementLaws && SUNDER_NO_BOND == kNoBond);
-static_assert(sizeof(BodyRecord) == 16 * SUNDER_BODY_TEXELS && sizeof(EventRecord) == 16 * SUNDER_EVENT_TEXELS);
+static_assert(sizeof(BodyRecord) == 16 * SUNDER_BODY_TEXELS &&
+              sizeof(EventRecord) == 16 * SUNDER_EVENT_TEXELS);
 
 WorldBuffers::WorldBuffers(const World& world)
     : cellCount_(world.cellCount()),

@@ -12,7 +12,8 @@ class WorldBuffers {
     int cellCount() const { return cellCount_; }
     int nodeCount() const { return kCorners * cellCount_; }
 
-    /// Texture buffer, RGBA32F, one texel per node: rest position (m), mass of this copy (kg; 0 in absent cells).
+    /// Texture buffer, RGBA32F, one texel per node: rest position (m), mass of this copy (kg; 0 in
+    /// absent cells).
     const gl::Texture& rest() const { return restTexture_; }
     /// Texture buffer, R32UI, one texel per cell: law | body << SUNDER_LAW_BITS.
     const gl::Texture& cells() const { return cellTexture_; }
@@ -27,7 +28,8 @@ class WorldBuffers {
     gl::Texture restTexture_, cellTexture_, bodyTexture_;
 };
 
-/// Displacements and velocities on the GPU (NodeRecord): what transform feedback writes and everything else reads.
+/// Displacements and velocities on the GPU (NodeRecord): what transform feedback writes and
+/// everything else reads.
 class NodeBuffer {
   public:
     explicit NodeBuffer(const World&);  ///< contents undefined

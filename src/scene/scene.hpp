@@ -24,13 +24,15 @@ struct Scene {
     CameraDescription camera;
 };
 
-/// Reads a scene: a preset's name, or a path to a TOML file (anything with a '/', '\' or ending in ".toml").
-/// Material files a scene names are sought beside it. Throws InputError: "FILE:LINE: FIELD …", what is wrong, what would be right.
+/// Reads a scene: a preset's name, or a path to a TOML file (anything with a '/', '\' or ending in
+/// ".toml"). Material files a scene names are sought beside it. Throws InputError: "FILE:LINE:
+/// FIELD …", what is wrong, what would be right.
 Scene loadScene(const std::string& nameOrPath);
 
-/// The same from text, for presets, tests and the fuzzer. `file` is the name used in messages; `folder` is where relative
-/// paths start.
-Scene parseScene(std::string_view text, const std::string& file, const std::filesystem::path& folder);
+/// The same from text, for presets, tests and the fuzzer. `file` is the name used in messages;
+/// `folder` is where relative paths start.
+Scene parseScene(std::string_view text, const std::string& file,
+                 const std::filesystem::path& folder);
 
 /// Reads a material: a preset's name or a path. Relative paths start at `folder`.
 Material loadMaterial(const std::string& nameOrPath, const std::filesystem::path& folder = {});

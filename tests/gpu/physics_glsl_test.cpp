@@ -38,8 +38,9 @@ TEST_CASE("GLSL eigenvalues and eigenvectors match Eigen's") {
         .includes = "physics/eigen.glsl",
         .outputs = "out vec3 values; out vec3 v0; out vec3 v1; out vec3 v2;",
         .names = {"values", "v0", "v1", "v2"},
-        .body = std::string(kItemMatrix) + "vec3 d; mat3 v; symmetricEigen(A, d, v);"
-                                           "values = d; v0 = v[0]; v1 = v[1]; v2 = v[2];",
+        .body = std::string(kItemMatrix) +
+                "vec3 d; mat3 v; symmetricEigen(A, d, v);"
+                "values = d; v0 = v[0]; v1 = v[1]; v2 = v[2];",
         .itemTexels = 3,
         .resultFloats = 12};
     const std::vector<float> result = function.run(items, static_cast<int>(matrices.size()));
@@ -58,11 +59,10 @@ TEST_CASE("GLSL eigenvalues and eigenvectors match Eigen's") {
 }
 
 TEST_CASE("the link mask of all 4,096 bond states matches a flood fill") {
-    const VertexFunction function{
-        .includes = "physics/links.glsl",
-        .outputs = "flat out uvec4 low; flat out uvec4 high;",
-        .names = {"low", "high"},
-        .body = R"(uvec3 held = uvec3(0u);
+    const VertexFunction function{.includes = "physics/links.glsl",
+                                  .outputs = "flat out uvec4 low; flat out uvec4 high;",
+                                  .names = {"low", "high"},
+                                  .body = R"(uvec3 held = uvec3(0u);
                    for (int bond = 0; bond < 12; ++bond) {
                        if ((gl_VertexID >> bond & 1) == 0) continue;
                        int axis = bond / 4, n = bond % 4, below = (1 << axis) - 1;
@@ -70,12 +70,13 @@ TEST_CASE("the link mask of all 4,096 bond states matches a flood fill") {
                    }
                    for (int o = 0; o < 4; ++o) low[o] = linkMask(held, o);
                    for (int o = 0; o < 4; ++o) high[o] = linkMask(held, o + 4);)",
-        .resultFloats = 8};
+                                  .resultFloats = 8};
     const std::vector<float> input(4 * 4096, 0.0f);
     const std::vector<float> result = function.run(input, 4096);
     for (unsigned state = 0; state < 4096; ++state)
         for (int octant = 0; octant < 8; ++octant)
-            REQUIRE(std::bit_cast<std::uint32_t>(result[8 * state + octant]) == linkMask(state, octant));
+            REQUIRE(std::bit_cast<std::uint32_t>(result[8 * state + octant]) ==
+                    linkMask(state, octant));
 }
 
 TEST_CASE("GLSL polar rotations match the SVD's") {
@@ -94,7 +95,8 @@ TEST_CASE("GLSL polar rotations match the SVD's") {
         add(random.rotation() * R * stretch.asDiagonal() * R.transpose());
     }
     const std::size_t regular = matrices.size();
-    // Flat, needle-shaped, inverted and vanished elements: any rotation will do, but it must be one.
+    // Flat, needle-shaped, inverted and vanished elements: any rotation will do, but it must be
+    // one.
     for (int i = 0; i < 2000; ++i) {
         const Mat3 A = random.rotation(), B = random.rotation();
         add(A * Vec3(1, 1, 0).asDiagonal() * B);
@@ -103,20 +105,23 @@ TEST_CASE("GLSL polar rotations match the SVD's") {
         add(A * Vec3(-1, -1, -1).asDiagonal() * B);
         add(Mat3::Zero());
     }
-    const VertexFunction function{.includes = "physics/polar.glsl",
-                                  .outputs = "out vec3 r0; out vec3 r1; out vec3 r2;",
-                                  .names = {"r0", "r1", "r2"},
-                                  .body = std::string(kItemMatrix) +
-                                          "mat3 R = polarRotation(A); r0 = R[0]; r1 = R[1]; r2 = R[2];",
-                                  .itemTexels = 3,
-                                  .resultFloats = 9};
+    const VertexFunction function{
+        .includes = "physics/polar.glsl",
+        .outputs = "out vec3 r0; out vec3 r1; out vec3 r2;",
+        .names = {"r0", "r1", "r2"},
+        .body = std::string(kItemMatrix) +
+                "mat3 R = polarRotation(A); r0 = R[0]; r1 = R[1]; r2 = R[2];",
+        .itemTexels = 3,
+        .resultFloats = 9};
     const std::vector<float> result = function.run(items, static_cast<int>(matrices.size()));
     double rotation = 0, error = 0;
     for (std::size_t i = 0; i < matrices.size(); ++i) {
         const Mat3 R = matrixAt(&result[9 * i]);
         rotation = std::max(rotation, (R.transpose() * R - Mat3::Identity()).cwiseAbs().maxCoeff());
-        if (i < regular) error = std::max(error, (R - polarRotation(matrices[i])).cwiseAbs().maxCoeff());
+        if (i < regular)
+            error = std::max(error, (R - polarRotation(matrices[i])).cwiseAbs().maxCoeff());
     }
     CHECK(rotation < 2e-6);  // a product of five rotations in single precision
-    CHECK(error < 1e-5);     // Newton's last step: rounding over the smallest sum of two stretches, 0.6
+    CHECK(error <
+          1e-5);  // Newton's last step: rounding over the smallest sum of two stretches, 0.6
 }

@@ -9,7 +9,8 @@ using namespace sunder;
 
 namespace {
 
-/// A 7×5×3 wall beside a smaller one of another material and cell size, standing on the ground, hit from the front.
+/// A 7×5×3 wall beside a smaller one of another material and cell size, standing on the ground, hit
+/// from the front.
 WorldDescription oddWalls(const Material& first, const Material& second) {
     WorldDescription d = block({7, 5, 3}, first);
     d.materials.push_back(second);
@@ -64,7 +65,8 @@ TEST_CASE("positions agree with the reference after 100 steps of an unbroken imp
         ReferenceSolver reference(world);
         reference.advance(100);
         const State expected = reference.state();
-        REQUIRE(largestDifference(expected.displacement, world.initialState().displacement) > 0.03);  // it was hit
+        REQUIRE(largestDifference(expected.displacement, world.initialState().displacement) >
+                0.03);  // it was hit
         for (const SolverUnderTest& under : solversUnderTest()) {
             INFO(under.name << ", " << toString(law));
             const auto solver = under.make(world);
@@ -121,7 +123,8 @@ TEST_CASE("a state read back and set again goes on as if nothing had happened") 
     const World world(oddWalls(brittle(), brittle()));
     for (const SolverUnderTest& under : solversUnderTest()) {
         INFO(under.name);
-        const auto through = under.make(world), first = under.make(world), second = under.make(world);
+        const auto through = under.make(world), first = under.make(world),
+                   second = under.make(world);
         through->advance(90);
         first->advance(37);
         second->setState(first->state());

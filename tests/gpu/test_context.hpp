@@ -1,5 +1,6 @@
 #pragma once
 #include "gl/context.hpp"
 
-/// The context all gpu tests of a process share. A test that cannot have one fails, with the reason.
+/// The context all gpu tests of a process share. A test that cannot have one fails, with the
+/// reason.
 sunder::gl::Context& testContext();

@@ -12,8 +12,9 @@ std::vector<float> VertexFunction::run(std::span<const float> input, int count) 
     std::string text;
     std::istringstream list(includes);
     for (std::string name; list >> name;) text += "#include \"" + name + "\"\n";
-    text += "uniform samplerBuffer items;\n" + outputs + "\nvec4 item(int i) { return texelFetch(items, " +
-            std::to_string(itemTexels) + " * gl_VertexID + i); }\nvoid main() {\n" + body + "\n}\n";
+    text += "uniform samplerBuffer items;\n" + outputs +
+            "\nvec4 item(int i) { return texelFetch(items, " + std::to_string(itemTexels) +
+            " * gl_VertexID + i); }\nvoid main() {\n" + body + "\n}\n";
 
     gl::ProgramDescription description{.vertex = "test.vert", .feedback = names};
     description.source = [&](std::string_view name) {
@@ -22,7 +23,8 @@ std::vector<float> VertexFunction::run(std::span<const float> input, int count) 
     const gl::Program program(description);
     const gl::Buffer in = gl::makeBuffer<float>(input, GL_STATIC_DRAW, "test input");
     const gl::Texture texture = gl::makeBufferTexture(in, GL_RGBA32F, "test input");
-    const gl::Buffer out(sizeof(float) * resultFloats * count, nullptr, GL_DYNAMIC_COPY, "test output");
+    const gl::Buffer out(sizeof(float) * resultFloats * count, nullptr, GL_DYNAMIC_COPY,
+                         "test output");
     const gl::Texture pixel = gl::makeTexture2D(1, 1, GL_RGBA8, "test target");
     const gl::Framebuffer framebuffer = gl::makeFramebuffer();
     const gl::VertexArray attributes = gl::makeVertexArray();

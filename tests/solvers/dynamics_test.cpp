@@ -39,7 +39,8 @@ TEST_CASE("drag slows as exp(−d·t), whatever the step") {
             solver->setState(state);
             solver->advance(static_cast<int>(0.5 / step + 0.5));
             // One rounding of v·exp(−d·h) a step.
-            CHECK(solver->state().velocity[0][0] == Approx(3 * std::exp(-1)).epsilon(1500 * under.epsilon));
+            CHECK(solver->state().velocity[0][0] ==
+                  Approx(3 * std::exp(-1)).epsilon(1500 * under.epsilon));
         }
 }
 
@@ -66,7 +67,8 @@ TEST_CASE("an event gives its whole impulse to a free wall") {
         solver->advance(70);  // in two calls: events go on across frames
         const Vec3 expected = Vec3(1, -2, 7) + 0.01 * Vec3(100, 0, -300);
         // Event times in single precision: steps counted to 1e-5 of a step out of 15.
-        CHECK((diagnose(world, solver->state()).momentum - expected).norm() < 1e-5 * expected.norm());
+        CHECK((diagnose(world, solver->state()).momentum - expected).norm() <
+              1e-5 * expected.norm());
     }
 }
 
@@ -95,7 +97,8 @@ TEST_CASE("nothing goes below the ground, and friction stops a sliding block") {
         }
         CHECK(lowest == 0);  // it lands, and no node is a bit lower
         CHECK(diagnose(world, solver->state()).maxSpeed < 0.01);
-        // The landing takes μ·(fall speed) at once if the block does not bounce; v₀² / 2μg bounds the rest of the way.
+        // The landing takes μ·(fall speed) at once if the block does not bounce; v₀² / 2μg bounds
+        // the rest of the way.
         CHECK(travelled < 0.2 + 2 * 2 / (2 * 0.4 * 9.81));
         CHECK(travelled > 0.1);
     }

@@ -32,7 +32,8 @@ TEST_CASE("copies of a joined lattice point stay bit-identical for 10,000 steps"
             CHECK(tornNodes(world, solver->state()) == 0);
         }
         const Diagnostics end = diagnose(world, solver->state());
-        CHECK(end.bondsBroken > 0);  // the hit broke something, so joined groups of all shapes were tested
+        CHECK(end.bondsBroken >
+              0);  // the hit broke something, so joined groups of all shapes were tested
         CHECK(end.bondsBroken < world.bondCount());
         CHECK(end.nan == 0);
     }
@@ -45,14 +46,16 @@ TEST_CASE("a detached cell flies off alone") {
         const int middle = 13;
         State state = world.initialState();
         detach(world, state, middle);
-        for (int corner = 0; corner < kCorners; ++corner) state.velocity[kCorners * middle + corner] = {0.5, 0, 2};
+        for (int corner = 0; corner < kCorners; ++corner)
+            state.velocity[kCorners * middle + corner] = {0.5, 0, 2};
         const auto solver = under.make(world);
         solver->setState(state);
         solver->advance(1500);
         const State after = solver->state();
         for (int node = 0; node < world.nodeCount(); ++node) {
             const Vec3 expected = node / kCorners == middle ? Vec3(0.25, 0, 1) : Vec3(0, 0, 0);
-            CHECK((after.displacement[node] - expected).norm() < 2000 * under.epsilon);  // one rounding a step
+            CHECK((after.displacement[node] - expected).norm() <
+                  2000 * under.epsilon);  // one rounding a step
         }
         CHECK(findPieces(world, after).count == 2);
     }
@@ -78,7 +81,8 @@ TEST_CASE("a broken bond never heals") {
         for (int i = 0; i < 100; ++i) {
             solver->advance(8);
             const State after = solver->state();
-            for (int bond = 0; bond < world.bondSlots(); ++bond) REQUIRE(after.damage[bond] >= before.damage[bond]);
+            for (int bond = 0; bond < world.bondSlots(); ++bond)
+                REQUIRE(after.damage[bond] >= before.damage[bond]);
             before = after;
         }
         broken = diagnose(world, before).bondsBroken;
@@ -96,8 +100,8 @@ TEST_CASE("an overstressed cell leaves all its neighbours, and only they") {
         WorldDescription description = block({5, 5, 1}, material);
         const World world(description);
         State state = world.initialState();
-        // Stretch one corner of the middle cell, and its copies, outwards by a tenth of a cell: only the four cells around that
-        // lattice point are strained.
+        // Stretch one corner of the middle cell, and its copies, outwards by a tenth of a cell:
+        // only the four cells around that lattice point are strained.
         const int middle = 12;
         const Vec3 point = world.restPosition(kCorners * middle + 7);
         for (int node = 0; node < world.nodeCount(); ++node)

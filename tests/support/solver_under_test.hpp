@@ -6,7 +6,8 @@
 
 #include "core/solver.hpp"
 
-/// A solver the tests in tests/solvers run on. Each test program defines solversUnderTest() for the solvers it has.
+/// A solver the tests in tests/solvers run on. Each test program defines solversUnderTest() for the
+/// solvers it has.
 struct SolverUnderTest {
     std::string name;
     /// `world` must outlive the solver.

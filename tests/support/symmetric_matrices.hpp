@@ -3,8 +3,9 @@
 
 #include "core/types.hpp"
 
-/// `count` symmetric matrices, rounded to single precision: random ones of all sizes from 1e-6 to 1e9, diagonal ones, multiples of
-/// the identity, double and nearly double eigenvalues, rank one and two, zero.
+/// `count` symmetric matrices, rounded to single precision: random ones of all sizes from 1e-6 to
+/// 1e9, diagonal ones, multiples of the identity, double and nearly double eigenvalues, rank one
+/// and two, zero.
 std::vector<sunder::Mat3> symmetricMatrices(int count);
 
 /// How far values and vectors are from an eigen-decomposition of A by Eigen, all relative to |A|.
@@ -12,6 +13,8 @@ struct EigenErrors {
     double value;       ///< largest difference of a sorted eigenvalue from Eigen's
     double residual;    ///< largest |A·v − λ·v|
     double orthogonal;  ///< largest entry of |VᵀV − I|
-    double vector;      ///< largest angle's sine to Eigen's eigenvector, over those with a gap of 1 % of |A| on both sides
+    double vector;  ///< largest angle's sine to Eigen's eigenvector, over those with a gap of 1 %
+                    ///< of |A| on both sides
 };
-EigenErrors eigenErrors(const sunder::Mat3& A, const sunder::Vec3& values, const sunder::Mat3& vectors);
+EigenErrors eigenErrors(const sunder::Mat3& A, const sunder::Vec3& values,
+                        const sunder::Mat3& vectors);

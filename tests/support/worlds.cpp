@@ -38,7 +38,9 @@ Material brittle() {
     return m;
 }
 
-double Random::operator()() { return 2 * hashUniform(seed_, counter_++, 0) - 1; }
+double Random::operator()() {
+    return 2 * hashUniform(seed_, counter_++, 0) - 1;
+}
 Vec3 Random::vector() {
     const double x = (*this)(), y = (*this)();
     return {x, y, (*this)()};
@@ -48,14 +50,19 @@ Mat3 Random::matrix() {
     for (int i = 0; i < 9; ++i) m(i / 3, i % 3) = (*this)();
     return m;
 }
-Mat3 Random::rotation() { return Eigen::AngleAxisd(3.14 * (*this)(), vector().normalized()).toRotationMatrix(); }
+Mat3 Random::rotation() {
+    return Eigen::AngleAxisd(3.14 * (*this)(), vector().normalized()).toRotationMatrix();
+}
 
-void breakBond(State& state, int cell, int axis) { state.damage[kBondsPerCell * cell + axis] = 1; }
+void breakBond(State& state, int cell, int axis) {
+    state.damage[kBondsPerCell * cell + axis] = 1;
+}
 
 void detach(const World& world, State& state, int cell) {
     for (int axis = 0; axis < 3; ++axis) {
         if (world.neighbour(cell, axis, +1) >= 0) breakBond(state, cell, axis);
-        if (const int other = world.neighbour(cell, axis, -1); other >= 0) breakBond(state, other, axis);
+        if (const int other = world.neighbour(cell, axis, -1); other >= 0)
+            breakBond(state, other, axis);
     }
 }
 

@@ -3,7 +3,8 @@
 
 #include "core/world.hpp"
 
-/// A world with one body of cubic cells of 0.1 m made of `material`: no gravity, no ground, no anchors, no events.
+/// A world with one body of cubic cells of 0.1 m made of `material`: no gravity, no ground, no
+/// anchors, no events.
 sunder::WorldDescription block(sunder::IVec3 cells, sunder::Material material);
 
 /// E 1e6 Pa, ν 0.3, 1000 kg/m³, no drag, unbreakable.

@@ -86,7 +86,8 @@ TEST_CASE("masses add up to density times volume, and a joined group's to its me
     for (int octant = 0; octant < 8; ++octant)
         if (linkMask(heldBonds(world, state, cell, corner), 0) >> octant & 1) {
             ++members;
-            group += world.nodeMass(kCorners * cellInOctant(world, cell, corner, octant) + (octant ^ 7));
+            group +=
+                world.nodeMass(kCorners * cellInOctant(world, cell, corner, octant) + (octant ^ 7));
         }
     CHECK(members == 8);
     CHECK(group == Approx((4 * 1000 + 4 * 3000) * 0.001 / 8));
@@ -95,7 +96,8 @@ TEST_CASE("masses add up to density times volume, and a joined group's to its me
 }
 
 TEST_CASE("anchored sides hold exactly the nodes on them") {
-    for (const Side side : {Side::Left, Side::Right, Side::Bottom, Side::Top, Side::Back, Side::Front}) {
+    for (const Side side :
+         {Side::Left, Side::Right, Side::Bottom, Side::Top, Side::Back, Side::Front}) {
         WorldDescription description = block({4, 3, 2}, softElastic());
         description.bodies[0].anchors = {side};
         const World world(description);
@@ -103,7 +105,8 @@ TEST_CASE("anchored sides hold exactly the nodes on them") {
         const double plane = world.bodies()[0].origin[axis] +
                              (static_cast<int>(side) % 2 ? description.bodies[0].size[axis] : 0);
         for (int node = 0; node < world.nodeCount(); ++node)
-            REQUIRE(world.anchored(node) == (std::abs(world.restPosition(node)[axis] - plane) < 1e-9));
+            REQUIRE(world.anchored(node) ==
+                    (std::abs(world.restPosition(node)[axis] - plane) < 1e-9));
     }
 }
 
@@ -136,9 +139,9 @@ TEST_CASE("octants and bonds around a lattice point") {
     for (int bond = 0; bond < 12; ++bond) CHECK((bondOctant(bond) >> bond / 4 & 1) == 0);
     CHECK(linkMask(0, 5) == 1 << 5);
     CHECK(linkMask(0xfff, 3) == 0xff);
-    CHECK(linkMask(1u << 0, 0) == 0b11);         // x bond of octant 0
-    CHECK(linkMask(1u << 4, 0) == 0b101);        // y bond of octant 0
-    CHECK(linkMask(1u << 8, 4) == 0b10001);      // z bond of octant 0
+    CHECK(linkMask(1u << 0, 0) == 0b11);                  // x bond of octant 0
+    CHECK(linkMask(1u << 4, 0) == 0b101);                 // y bond of octant 0
+    CHECK(linkMask(1u << 8, 4) == 0b10001);               // z bond of octant 0
     CHECK(linkMask(1u << 8 | 1u << 3, 7) == 0b11000000);  // octants 6–7, and 0–4 apart
 }
 
@@ -168,7 +171,8 @@ TEST_CASE("strengths: mean, spread, axes, boundaries, seeds") {
     m.clusters = ClusterKind::RunningBond;
     m.clusterSize = {0.4, 0.2, 1};
     CHECK(clusterOf(m, {0.35, 0.1, 0}, 7) != clusterOf(m, {0.45, 0.1, 0}, 7));
-    CHECK(clusterOf(m, {0.35, 0.3, 0}, 7) == clusterOf(m, {0.45, 0.3, 0}, 7));  // the next course is shifted by half a brick
+    CHECK(clusterOf(m, {0.35, 0.3, 0}, 7) ==
+          clusterOf(m, {0.45, 0.3, 0}, 7));  // the next course is shifted by half a brick
     CHECK(clusterOf(m, {0.15, 0.3, 0}, 7) != clusterOf(m, {0.25, 0.3, 0}, 7));
 
     WorldDescription description = block({10, 10, 1}, brittle());
@@ -198,7 +202,8 @@ TEST_CASE("what a world cannot be becomes one sentence") {
     event.where = "walls.toml:9: event 1";
     event.point = {5, 0, 0};
     miss.events = {event};
-    CHECK_THROWS_WITH(World(miss), Catch::StartsWith("walls.toml:9: event 1: no free node of body 'block'"));
+    CHECK_THROWS_WITH(World(miss),
+                      Catch::StartsWith("walls.toml:9: event 1: no free node of body 'block'"));
     WorldDescription many = block({1, 1, 1}, softElastic());
     for (int i = 0; i < 300; ++i) {
         many.bodies.push_back(many.bodies[0]);
@@ -224,7 +229,8 @@ TEST_CASE("energies and momenta of simple states") {
     CHECK(diagnose(world, state).gravity == Approx(6 * 10 * 0.1));  // 6 kg, centre of mass at 0.1 m
     for (Vec3& v : state.velocity) v = {3, 0, 4};
     // A uniform stretch of 1 % along x: ½(λ + 2μ)ε² per volume (corotated law).
-    for (int node = 0; node < world.nodeCount(); ++node) state.displacement[node][0] = 0.01 * world.restPosition(node)[0];
+    for (int node = 0; node < world.nodeCount(); ++node)
+        state.displacement[node][0] = 0.01 * world.restPosition(node)[0];
     const Diagnostics d = diagnose(world, state);
     CHECK(d.kinetic == Approx(0.5 * 6 * 25));
     CHECK((d.momentum - Vec3(18, 0, 24)).norm() < 1e-9);

@@ -1,0 +1,43 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <new>
+
+#include "app/commands.hpp"
+#include "core/types.hpp"
+
+int main(int argc, char** argv) {
+    using namespace sunder;
+    CLI::App app(
+        "Sunder: walls that bend, crack and break, on the CPU and on any GPU with OpenGL 4.1.",
+        "sunder");
+    app.require_subcommand(1);
+    app.failure_message([](const CLI::App* where, const CLI::Error& error) {
+        return "sunder: " + std::string(error.what()) + " (see: " + where->get_name() +
+               " --help)\n";
+    });
+    app::Action chosen;
+    app::addRun(app, chosen);
+    app::addInfo(app, chosen);
+    app::addList(app, chosen);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? app::kDone : app::kBadInput;
+    }
+    try {
+        return chosen();
+    } catch (const InputError& error) {
+        std::cerr << "sunder: " << error.what() << '\n';
+        return app::kBadInput;
+    } catch (const ContextError& error) {
+        std::cerr << "sunder: " << error.what() << '\n';
+        return app::kNoContext;
+    } catch (const std::bad_alloc&) {
+        std::cerr << "sunder: the world is too large for this machine's memory; use fewer cells\n";
+        return app::kBadInput;
+    } catch (const std::exception& error) {
+        // A defect of ours or of the driver, not of the input; still one sentence.
+        std::cerr << "sunder: internal error: " << error.what() << '\n';
+        return app::kBadInput;
+    }
+}

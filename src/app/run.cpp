@@ -1,0 +1,209 @@
+// sunder run: scene file → world → solver → node buffer → picture, without a screen.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+#include "app/commands.hpp"
+#include "app/progress.hpp"
+#include "app/run_report.hpp"
+#include "app/solver_factory.hpp"
+#include "core/vtu.hpp"
+#include "gl/context.hpp"
+#include "image/image.hpp"
+#include "render/renderer.hpp"
+#include "scene/scene.hpp"
+
+namespace sunder::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RunOptions {
+    std::string scene;
+    std::string solver = "scatter";
+    std::optional<int> frames;
+    double fps = 60;
+    std::optional<std::uint64_t> seed;
+    std::string size = "1280x720";
+    std::string out;
+    int pngEvery = 20;
+    std::string style = "solid";
+    std::string json;
+    std::string state;
+};
+
+RenderSettings renderSettings(const RunOptions& options) {
+    RenderSettings settings;
+    char end = 0;
+    if (std::sscanf(options.size.c_str(), "%dx%d%c", &settings.width, &settings.height, &end) !=
+            2 ||
+        settings.width < 16 || settings.height < 16 || settings.width > 8192 ||
+        settings.height > 8192)
+        throw InputError("--size: '" + options.size +
+                         "' is not WIDTHxHEIGHT with both from 16 to 8192, for example 1280x720");
+    if (options.style == "wireframe") settings.style = DrawStyle::Wireframe;
+    if (options.style == "overlay") settings.style = DrawStyle::Overlay;
+    return settings;
+}
+
+/// The step stays near the scene's; a frame holds a whole number of them, so the physics hardly
+/// depends on --fps.
+int fitStepsToFrame(Scene& scene, double fps) {
+    const int steps = std::max(1, static_cast<int>(std::lround(1 / (fps * scene.world.step))));
+    scene.world.step = 1 / (fps * steps);
+    return steps;
+}
+
+/// Fails now rather than after the work when `path` cannot be written.
+void checkWritable(const fs::path& path) {
+    std::error_code error;
+    if (fs::is_directory(path, error))
+        throw InputError("cannot write '" + path.string() + "': it is a folder");
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    if (!fs::is_directory(folder, error))
+        throw InputError("cannot write '" + path.string() + "': there is no folder '" +
+                         folder.string() + "'");
+}
+
+/// Draws frames into DIR/frame_0000.png, … .
+class FrameWriter {
+  public:
+    FrameWriter(const Scene& scene, const World& world, const Solver& solver,
+                const gpu::WorldBuffers& buffers, RenderSettings settings, fs::path folder)
+        : camera_(scene.camera),
+          renderer_(world, buffers),
+          view_(world, solver),
+          settings_(settings),
+          folder_(std::move(folder)) {}
+
+    void write(int frame) {
+        char name[32];
+        std::snprintf(name, sizeof name, "frame_%04d.png", frame);
+        writePng(folder_ / name, renderer_.draw(view_.view(), camera_, settings_));
+    }
+
+  private:
+    CameraDescription camera_;
+    Renderer renderer_;
+    SolverView view_;
+    RenderSettings settings_;
+    fs::path folder_;
+};
+
+/// Writes everything the user asked for about the last state; with pictures, the report also goes
+/// beside them.
+void writeResults(const RunOptions& options, const Scene& scene, const World& world,
+                  const State& state, const RunFacts& facts) {
+    const std::string report = reportJson(scene, world, state, facts);
+    if (!options.out.empty()) writeFileAtomically(fs::path(options.out) / "report.json", report);
+    if (!options.json.empty()) writeFileAtomically(options.json, report);
+    if (!options.state.empty()) writeFileAtomically(options.state, toVtu(world, state));
+}
+
+int run(RunOptions options) {
+    Scene scene = loadScene(options.scene);
+    const SolverInfo& solverInfo = findSolver(options.solver);
+    const RenderSettings settings = renderSettings(options);
+    if (options.seed) scene.world.seed = *options.seed;
+    RunFacts facts;
+    facts.solver = solverInfo.name;
+    facts.frames = options.frames.value_or(
+        std::max(1, static_cast<int>(std::lround(scene.frames * options.fps / 60))));
+    facts.stepsPerFrame = fitStepsToFrame(scene, options.fps);
+    for (const std::string& path : {options.json, options.state})
+        if (!path.empty()) checkWritable(path);
+    const World world(scene.world);
+
+    // Everything that can be refused is refused before the first file is made.
+    const bool pictures = options.pngEvery > 0;
+    std::unique_ptr<gl::Context> context;
+    std::optional<gpu::WorldBuffers> buffers;
+    if (pictures || solverInfo.gpu) {
+        context = gl::createHeadlessContext();
+        facts.renderer = context->info().renderer;
+        buffers.emplace(world);
+    }
+    const std::unique_ptr<Solver> solver =
+        makeSolver(solverInfo, world, buffers ? &*buffers : nullptr);
+    std::optional<FrameWriter> frameWriter;
+    if (options.out.empty()) options.out = (fs::path("out") / scene.name).string();
+    if (pictures) frameWriter.emplace(scene, world, *solver, *buffers, settings, options.out);
+    if (context) context->check();
+    std::error_code error;
+    fs::create_directories(options.out, error);
+    if (error)
+        throw InputError("--out: cannot make the folder '" + options.out + "': " + error.message());
+
+    for (const std::string& warning : limitWarnings(scene, world))
+        std::cerr << "sunder: note: " << warning << '\n';
+    {
+        Progress progress(scene.name, facts.frames);
+        for (int frame = 0; frame <= facts.frames; ++frame) {
+            progress.update(frame);
+            if (pictures && (frame % options.pngEvery == 0 || frame == facts.frames))
+                frameWriter->write(frame);
+            if (frame == facts.frames) break;
+            const auto start = std::chrono::steady_clock::now();
+            solver->advance(facts.stepsPerFrame);
+            solver->finish();
+            const std::chrono::duration<double, std::milli> elapsed =
+                std::chrono::steady_clock::now() - start;
+            facts.msPerStep.push_back(elapsed.count() / facts.stepsPerFrame);
+        }
+    }
+    const State state = solver->state();
+    if (context) context->check();
+    writeResults(options, scene, world, state, facts);
+    std::cout << reportText(scene, world, state, facts);
+    if (pictures)
+        std::cout << "pictures: " << (fs::path(options.out) / "frame_*.png").string() << '\n';
+    std::cout << "report:   " << (fs::path(options.out) / "report.json").string() << '\n';
+    return kDone;
+}
+
+}  // namespace
+
+void addRun(CLI::App& app, Action& chosen) {
+    CLI::App* command =
+        app.add_subcommand("run", "Simulate a scene without a screen; write pictures and a report");
+    auto options = std::make_shared<RunOptions>();
+    command
+        ->add_option("scene", options->scene, "a preset's name (see: sunder list) or a TOML file")
+        ->required()
+        ->type_name("SCENE");
+    command->add_option("--solver", options->solver, "see: sunder list")->capture_default_str();
+    command->add_option("--frames", options->frames, "how many frames (default: the scene's)")
+        ->check(CLI::Range(1, 1000000));
+    command->add_option("--fps", options->fps, "frames per second of simulated time")
+        ->check(CLI::Range(1.0, 1000.0))
+        ->capture_default_str();
+    command->add_option("--seed", options->seed, "of the strength map (default: the scene's)");
+    command->add_option("--size", options->size, "of pictures")
+        ->type_name("WxH")
+        ->capture_default_str();
+    command
+        ->add_option("--out", options->out,
+                     "folder for pictures and report.json (default: out/SCENE)")
+        ->type_name("DIR");
+    command
+        ->add_option("--frames-png", options->pngEvery,
+                     "a picture every so many frames, and of the last; 0: none")
+        ->check(CLI::Range(0, 1000000))
+        ->type_name("EVERY")
+        ->capture_default_str();
+    command
+        ->add_option("--style", options->style,
+                     "how the simulation mesh is drawn: solid, wireframe or overlay")
+        ->check(CLI::IsMember({"solid", "wireframe", "overlay"}))
+        ->capture_default_str();
+    command->add_option("--state", options->state, "write the last state as .vtu (ParaView)")
+        ->type_name("FILE.vtu");
+    command->add_option("--json", options->json, "also write the report here")->type_name("FILE");
+    command->callback([&chosen, options] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace sunder::app

@@ -1,0 +1,105 @@
+#include "app/run_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace sunder::app {
+namespace {
+
+double percentile(std::vector<double> values, double share) {
+    if (values.empty()) return 0;
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+}
+
+std::string hex(std::uint64_t value) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
+    return text;
+}
+
+/// JSON has no NaN: such numbers become null.
+nlohmann::json number(double value) {
+    return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+}
+
+std::string shortNumber(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+}  // namespace
+
+std::vector<std::string> limitWarnings(const Scene& scene, const World& world) {
+    std::vector<std::string> warnings;
+    for (const ElementLaw& law : world.laws()) {
+        if (!law.limited) continue;
+        const Material& material = world.description().materials[law.material];
+        warnings.push_back(material.name + ": E " + shortNumber(material.youngModulus) +
+                           " limited to " + shortNumber(law.youngModulus) + " Pa at " +
+                           std::to_string(scene.substeps) + " substeps per 1/60 s");
+    }
+    return warnings;
+}
+
+std::string reportJson(const Scene& scene, const World& world, const State& state,
+                       const RunFacts& facts) {
+    using nlohmann::ordered_json;
+    const Diagnostics d = diagnose(world, state);
+    ordered_json limits = ordered_json::array();
+    for (const ElementLaw& law : world.laws())
+        if (law.limited)
+            limits.push_back(
+                {{"material", world.description().materials[law.material].name},
+                 {"young_modulus", world.description().materials[law.material].youngModulus},
+                 {"limited_to", law.youngModulus}});
+    const ordered_json report = {
+        {"scene", scene.name},
+        {"solver", facts.solver},
+        {"gl_renderer", facts.renderer},
+        {"frames", facts.frames},
+        {"dt", world.step()},
+        {"steps_per_frame", facts.stepsPerFrame},
+        {"seed", world.description().seed},
+        {"cells", world.presentCells()},
+        {"tetrahedra", kTetrahedraPerCell * world.presentCells()},
+        {"nodes", kCorners * world.presentCells()},
+        {"bonds_total", world.bondCount()},
+        {"bonds_broken", d.bondsBroken},
+        {"pieces", d.pieces},
+        {"state_hash", hex(stateHash(state))},
+        {"energy",
+         {{"kinetic", number(d.kinetic)},
+          {"elastic", number(d.elastic)},
+          {"gravity", number(d.gravity)}}},
+        {"momentum", {number(d.momentum[0]), number(d.momentum[1]), number(d.momentum[2])}},
+        {"min_y", number(d.minY)},
+        {"max_speed", number(d.maxSpeed)},
+        {"nan", d.nan},
+        {"ms_per_step",
+         {{"median", percentile(facts.msPerStep, 0.5)},
+          {"p95", percentile(facts.msPerStep, 0.95)}}},
+        {"stiffness_limited", limits},
+    };
+    return report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string reportText(const Scene& scene, const World& world, const State& state,
+                       const RunFacts& facts) {
+    const Diagnostics d = diagnose(world, state);
+    std::ostringstream text;
+    text << scene.name << ": " << facts.frames << " frames of " << facts.stepsPerFrame << " steps, "
+         << kTetrahedraPerCell * world.presentCells() << " tetrahedra, solver " << facts.solver;
+    if (!facts.renderer.empty()) text << " on " << facts.renderer;
+    text << "\nbonds broken " << d.bondsBroken << " of " << world.bondCount() << ", pieces "
+         << d.pieces << ", fastest node " << shortNumber(d.maxSpeed) << " m/s, "
+         << shortNumber(percentile(facts.msPerStep, 0.5)) << " ms per step\n";
+    if (d.nan) text << d.nan << " nodes are not a number: this is a defect, please report it\n";
+    return text.str();
+}
+
+}  // namespace sunder::app

@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/diagnostics.hpp"
+#include "scene/scene.hpp"
+
+namespace sunder::app {
+
+/// What `sunder run` found out, beyond the scene and its last state.
+struct RunFacts {
+    std::string solver;
+    std::string renderer;  ///< GL_RENDERER, or empty without a context
+    int frames = 0;
+    int stepsPerFrame = 0;
+    std::vector<double> msPerStep;  ///< one entry per frame
+};
+
+/// The contents of --json.
+std::string reportJson(const Scene&, const World&, const State&, const RunFacts&);
+/// A few lines for a person.
+std::string reportText(const Scene&, const World&, const State&, const RunFacts&);
+/// One sentence per material whose stiffness the step does not carry; never silent.
+std::vector<std::string> limitWarnings(const Scene&, const World&);
+
+}  // namespace sunder::app

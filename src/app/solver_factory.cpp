@@ -1,0 +1,45 @@
+#include "app/solver_factory.hpp"
+
+#include "cpu/reference.hpp"
+#include "gpu/scatter.hpp"
+
+namespace sunder::app {
+
+const std::vector<SolverInfo>& solvers() {
+    static const std::vector<SolverInfo> known = {
+        {"scatter",
+         "the thesis's GPU method: additive blending and transform feedback (GL 4.1; the default)",
+         true},
+        {"reference",
+         "plain loops in double precision on the CPU: slow, and what the others are tested against",
+         false},
+    };
+    return known;
+}
+
+const SolverInfo& findSolver(const std::string& name) {
+    std::string names;
+    for (const SolverInfo& solver : solvers()) {
+        if (solver.name == name) return solver;
+        names += (names.empty() ? "" : ", ") + solver.name;
+    }
+    throw InputError("--solver: there is no solver '" + name + "'; known: " + names);
+}
+
+std::unique_ptr<Solver> makeSolver(const SolverInfo& info, const World& world,
+                                   const gpu::WorldBuffers* buffers) {
+    if (info.gpu) return std::make_unique<gpu::ScatterSolver>(world, *buffers);
+    return std::make_unique<ReferenceSolver>(world);
+}
+
+SolverView::SolverView(const World& world, const Solver& solver) : solver_(solver) {
+    if (!dynamic_cast<const gpu::GpuSolver*>(&solver))
+        upload_ = std::make_unique<gpu::StateUpload>(world);
+}
+
+gpu::StateView SolverView::view() {
+    if (upload_) return upload_->upload(solver_.state());
+    return dynamic_cast<const gpu::GpuSolver&>(solver_).view();
+}
+
+}  // namespace sunder::app
