@@ -21,7 +21,7 @@ constexpr MaterialField kFields[] = {
     {"spread", "1", 0, 1, false, false, &M::spread, nullptr},
     {"noise_length", "m", 0, 100, false, false, &M::noiseLength, nullptr},
     {"noise_amplitude", "1", 0, 0.95, false, false, &M::noiseAmplitude, nullptr},
-    {"cluster_size", "m", 0, 1000, true, false, nullptr, &M::clusterSize},
+    {"cluster_size", "m", 0, 1000, false, false, nullptr, &M::clusterSize},
     {"avg_display_section_width", "m", 0.001, 100, false, false, &M::avgDisplaySectionWidth,
      nullptr},
     {"avg_display_section_height", "m", 0.001, 100, false, false, &M::avgDisplaySectionHeight,

@@ -77,9 +77,9 @@ struct Material {
     double noiseLength = 0;
     double noiseAmplitude = 0;
     ClusterKind clusters = ClusterKind::None;
-    /// Mean size of a cluster along x, y, z, m, > 0 to 1000. Keep it at least three cells wide.
-    /// Planks use x; bricks x and y.
-    Vec3 clusterSize{0.4, 0.4, 0.4};
+    /// Mean size of a cluster along x, y, z, m, 0 to 1000; 0: clusters reach through the whole body
+    /// along that axis. Keep it at least three cells wide. Planks use x.
+    Vec3 clusterSize{0.4, 0.4, 0};
 
     // --- Display mesh (thesis, chapter 8) ---
     double avgDisplaySectionWidth =

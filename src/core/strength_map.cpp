@@ -46,19 +46,18 @@ double smoothNoise(const Vec3& p, std::uint64_t seed) {
     return sum;
 }
 
-/// Nearest of one jittered site per lattice cell.
-std::uint64_t voronoiCluster(const Vec3& p, std::uint64_t seed) {
+/// Nearest of one jittered site per lattice cell, over the axes in `spans` only (1: yes, 0: no).
+std::uint64_t voronoiCluster(const Vec3& p, const IVec3& spans, std::uint64_t seed) {
     const LatticePoint base = floorOf(p);
     double best = 1e300;
     std::uint64_t cluster = 0;
-    for (int dz = -1; dz <= 1; ++dz)
-        for (int dy = -1; dy <= 1; ++dy)
-            for (int dx = -1; dx <= 1; ++dx) {
+    for (int dz = -spans[2]; dz <= spans[2]; ++dz)
+        for (int dy = -spans[1]; dy <= spans[1]; ++dy)
+            for (int dx = -spans[0]; dx <= spans[0]; ++dx) {
                 const LatticePoint c = base + LatticePoint(dx, dy, dz);
                 const std::uint64_t key = latticeKey(c);
-                const Vec3 site =
-                    c.cast<double>() + Vec3(hashUniform(seed, key, 1), hashUniform(seed, key, 2),
-                                            hashUniform(seed, key, 3));
+                const Vec3 jitter(hashUniform(seed, key, 1), hashUniform(seed, key, 2), hashUniform(seed, key, 3));
+                const Vec3 site = c.cast<double>() + jitter.cwiseProduct(spans.cast<double>());
                 const double distance = (p - site).squaredNorm();
                 if (distance < best) {
                     best = distance;
@@ -84,12 +83,16 @@ double hashUniform(std::uint64_t seed, std::uint64_t a, std::uint64_t b) {
 }
 
 std::uint64_t clusterOf(const Material& material, const Vec3& p, std::uint64_t seed) {
-    const Vec3 q = p.cwiseQuotient(material.clusterSize);
+    // Size 0 along an axis: clusters reach through the whole body there.
+    const IVec3 spans = (material.clusterSize.array() > 0).cast<int>();
+    Vec3 q = Vec3::Zero();
+    for (int axis = 0; axis < 3; ++axis)
+        if (spans[axis]) q[axis] = p[axis] / material.clusterSize[axis];
     switch (material.clusters) {
         case ClusterKind::None:
             return 0;
         case ClusterKind::Voronoi:
-            return voronoiCluster(q, seed);
+            return voronoiCluster(q, spans, seed);
         case ClusterKind::RunningBond: {
             const auto row = static_cast<std::int64_t>(std::floor(q[1]));
             const double shift = row & 1 ? 0.5 : 0;

@@ -676,7 +676,7 @@ TEST_CASE("The bond-breaking presets hold the measured table", "[scene]") {
     const Material wood = loadMaterial("wood");
     CHECK(wood.noiseLength == 0.35);
     CHECK(wood.noiseAmplitude == 0.48);
-    CHECK(loadMaterial("concrete").clusterSize == Vec3(0.4, 0.4, 0.4));
+    CHECK(loadMaterial("concrete").clusterSize == Vec3(0.4, 0.4, 0));
     CHECK(loadMaterial("planks").clusterSize.x() == 0.2);
     CHECK(loadMaterial("brick").clusterSize.head<2>() == Eigen::Vector2d(0.4, 0.2));
     CHECK(loadMaterial("glass").clusterSize.y() ==
