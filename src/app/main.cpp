@@ -5,16 +5,35 @@
 #include "app/commands.hpp"
 #include "core/types.hpp"
 
+namespace {
+
+/// One sentence, and where to read more. CLI11 alone would say of a misspelt command only that one
+/// is required.
+std::string failureMessage(const CLI::App* app, const CLI::Error& error) {
+    const auto commands = app->get_subcommands();
+    const std::vector<std::string> unknown = app->remaining();
+    std::string problem = error.what(), help = "sunder ";
+    if (!commands.empty()) help += commands.front()->get_name() + " ";
+    if (commands.empty() && !unknown.empty()) {
+        problem = "there is no command '" + unknown.front() + "'; known:";
+        const char* separator = " ";
+        for (const CLI::App* known : app->get_subcommands({})) {
+            problem += separator + known->get_name();
+            separator = ", ";
+        }
+    }
+    return "sunder: " + problem + " (see: " + help + "--help)\n";
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
     using namespace sunder;
     CLI::App app(
         "Sunder: walls that bend, crack and break, on the CPU and on any GPU with OpenGL 4.1.",
         "sunder");
     app.require_subcommand(1);
-    app.failure_message([](const CLI::App* where, const CLI::Error& error) {
-        return "sunder: " + std::string(error.what()) + " (see: " + where->get_name() +
-               " --help)\n";
-    });
+    app.failure_message(failureMessage);
     app::Action chosen;
     app::addRun(app, chosen);
     app::addInfo(app, chosen);

@@ -1,5 +1,6 @@
 // sunder run: scene file → world → solver → node buffer → picture, without a screen.
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -38,16 +39,27 @@ struct RunOptions {
 
 RenderSettings renderSettings(const RunOptions& options) {
     RenderSettings settings;
-    char end = 0;
-    if (std::sscanf(options.size.c_str(), "%dx%d%c", &settings.width, &settings.height, &end) !=
-            2 ||
-        settings.width < 16 || settings.height < 16 || settings.width > 8192 ||
-        settings.height > 8192)
+    // Not sscanf: it takes 4294967456 for 160.
+    const char *text = options.size.data(), *end = text + options.size.size();
+    const auto width = std::from_chars(text, end, settings.width);
+    const bool separated = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+    const auto height = separated ? std::from_chars(width.ptr + 1, end, settings.height) : width;
+    if (!separated || height.ec != std::errc() || height.ptr != end || settings.width < 16 ||
+        settings.height < 16 || settings.width > 8192 || settings.height > 8192)
         throw InputError("--size: '" + options.size +
                          "' is not WIDTHxHEIGHT with both from 16 to 8192, for example 1280x720");
     if (options.style == "wireframe") settings.style = DrawStyle::Wireframe;
     if (options.style == "overlay") settings.style = DrawStyle::Overlay;
     return settings;
+}
+
+/// CLI11 alone takes -1 for 2^64 - 1. Says what is wrong, if anything.
+std::string checkSeed(const std::string& text) {
+    std::uint64_t seed = 0;
+    const char* end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, seed);
+    if (result.ec == std::errc() && result.ptr == end) return {};
+    return "'" + text + "' is not a whole number from 0 to 18446744073709551615";
 }
 
 /// The step stays near the scene's; a frame holds a whole number of them, so the physics hardly
@@ -58,13 +70,15 @@ int fitStepsToFrame(Scene& scene, double fps) {
     return steps;
 }
 
-/// Fails now rather than after the work when `path` cannot be written.
-void checkWritable(const fs::path& path) {
+/// Fails now rather than after the work when `path` cannot be written; the folder `out` is made
+/// later.
+void checkWritable(const fs::path& path, const fs::path& out) {
     std::error_code error;
     if (fs::is_directory(path, error))
         throw InputError("cannot write '" + path.string() + "': it is a folder");
     const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    if (!fs::is_directory(folder, error))
+    const auto plain = [](const fs::path& p) { return (p / "").lexically_normal(); };
+    if (!fs::is_directory(folder, error) && plain(folder) != plain(out))
         throw InputError("cannot write '" + path.string() + "': there is no folder '" +
                          folder.string() + "'");
 }
@@ -108,14 +122,17 @@ int run(RunOptions options) {
     Scene scene = loadScene(options.scene);
     const SolverInfo& solverInfo = findSolver(options.solver);
     const RenderSettings settings = renderSettings(options);
+    if (!(options.fps >= 1 && options.fps <= 1000))  // CLI::Range lets nan through
+        throw InputError("--fps: it must be from 1 to 1000");
     if (options.seed) scene.world.seed = *options.seed;
     RunFacts facts;
     facts.solver = solverInfo.name;
     facts.frames = options.frames.value_or(
         std::max(1, static_cast<int>(std::lround(scene.frames * options.fps / 60))));
     facts.stepsPerFrame = fitStepsToFrame(scene, options.fps);
+    if (options.out.empty()) options.out = (fs::path("out") / scene.name).string();
     for (const std::string& path : {options.json, options.state})
-        if (!path.empty()) checkWritable(path);
+        if (!path.empty()) checkWritable(path, options.out);
     const World world(scene.world);
 
     // Everything that can be refused is refused before the first file is made.
@@ -130,7 +147,6 @@ int run(RunOptions options) {
     const std::unique_ptr<Solver> solver =
         makeSolver(solverInfo, world, buffers ? &*buffers : nullptr);
     std::optional<FrameWriter> frameWriter;
-    if (options.out.empty()) options.out = (fs::path("out") / scene.name).string();
     if (pictures) frameWriter.emplace(scene, world, *solver, *buffers, settings, options.out);
     if (context) context->check();
     std::error_code error;
@@ -178,10 +194,10 @@ void addRun(CLI::App& app, Action& chosen) {
     command->add_option("--solver", options->solver, "see: sunder list")->capture_default_str();
     command->add_option("--frames", options->frames, "how many frames (default: the scene's)")
         ->check(CLI::Range(1, 1000000));
-    command->add_option("--fps", options->fps, "frames per second of simulated time")
-        ->check(CLI::Range(1.0, 1000.0))
+    command->add_option("--fps", options->fps, "frames per second of simulated time, 1 to 1000")
         ->capture_default_str();
-    command->add_option("--seed", options->seed, "of the strength map (default: the scene's)");
+    command->add_option("--seed", options->seed, "of the strength map (default: the scene's)")
+        ->check(checkSeed, "");
     command->add_option("--size", options->size, "of pictures")
         ->type_name("WxH")
         ->capture_default_str();
