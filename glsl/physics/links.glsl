@@ -12,3 +12,8 @@ uint linkMask(uvec3 held, int octant) {
     }
     return mask;
 }
+
+// Link mask of corner 0..7 out of a LinkRecord's masks.
+uint linkMaskOf(uvec4 masks, int corner) {
+    return (corner < 4 ? masks.x : masks.y) >> uint(8 * (corner & 3)) & 255u;
+}

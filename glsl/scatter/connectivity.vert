@@ -1,9 +1,10 @@
 // Connectivity update (thesis, figure 7.4): one point per node. Adds up the forces of the nodes it is joined to.
 #include "physics/lattice.glsl"
+#include "physics/links.glsl"
 #include "scatter/textures.glsl"
 
 uniform sampler2D forces;      // rgb: N; a: inverse mass of this copy, 0 where anchored
-uniform usamplerBuffer links;  // uvec2 per cell: eight link masks of eight bits
+uniform usamplerBuffer links;  // LinkRecord
 uniform float targetHeight;
 
 out vec4 cumulative;  // rgb: N, of the joined group; a: its inverse mass, 0 where anchored
@@ -15,8 +16,7 @@ void main() {
     uint record = cellRecord(cell);
     if (lawOf(record) == SUNDER_ABSENT) return;
     ivec3 strides = cellStrides(ivec4(bodyRecord(bodyOf(record)).lattice));
-    uvec2 packed_ = texelFetch(links, cell).rg;
-    uint mask = (corner < 4 ? packed_.x : packed_.y) >> uint(8 * (corner & 3)) & 255u;
+    uint mask = linkMaskOf(texelFetch(links, SUNDER_LINK_TEXELS * cell), corner);
 
     vec3 force = vec3(0.0);
     float mass = 0.0;

@@ -51,3 +51,11 @@ struct BondRecord {
     vec4 damage; // of the bonds through the +x, +y, +z faces; w: 0
     vec4 slow;   // slow part of their tractions, Pa; w: 0
 };
+
+// One cell's joints, written by transform feedback whenever bonds may have broken; read as three RGBA32UI texels.
+struct LinkRecord {
+    uvec4 masks;           // x: link masks of corners 0-3, eight bits each; y: of corners 4-7; zw: 0
+    vec4 inverseMassLow;   // 1/kg of the groups that corners 0-3 belong to; 0 where anchored or no cell is
+    vec4 inverseMassHigh;  // of corners 4-7
+};
+#define SUNDER_LINK_TEXELS 3

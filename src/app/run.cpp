@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 struct RunOptions {
     std::string scene;
-    std::string solver = "scatter";
+    std::string solver = "gather";
     std::optional<int> frames;
     double fps = 60;
     std::optional<std::uint64_t> seed;

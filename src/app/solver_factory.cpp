@@ -1,14 +1,16 @@
 #include "app/solver_factory.hpp"
 
 #include "cpu/reference.hpp"
+#include "gpu/gather.hpp"
 #include "gpu/scatter.hpp"
 
 namespace sunder::app {
 
 const std::vector<SolverInfo>& solvers() {
     static const std::vector<SolverInfo> known = {
-        {"scatter",
-         "the thesis's GPU method: additive blending and transform feedback (GL 4.1; the default)",
+        {"gather",
+         "GPU: one vertex per cell, transform feedback, no blending (GL 4.1; the default)", true},
+        {"scatter", "GPU, the thesis's method: additive blending and transform feedback (GL 4.1)",
          true},
         {"reference",
          "plain loops in double precision on the CPU: slow, and what the others are tested against",
@@ -28,7 +30,8 @@ const SolverInfo& findSolver(const std::string& name) {
 
 std::unique_ptr<Solver> makeSolver(const SolverInfo& info, const World& world,
                                    const gpu::WorldBuffers* buffers) {
-    if (info.gpu) return std::make_unique<gpu::ScatterSolver>(world, *buffers);
+    if (info.name == "gather") return std::make_unique<gpu::GatherSolver>(world, *buffers);
+    if (info.name == "scatter") return std::make_unique<gpu::ScatterSolver>(world, *buffers);
     return std::make_unique<ReferenceSolver>(world);
 }
 

@@ -3,6 +3,7 @@
 
 namespace sunder::gpu {
 
+using glm::uvec4;
 using glm::vec4;
 #include "../../glsl/shared/layout.h"
 

@@ -1,8 +1,9 @@
 #pragma once
 #include <array>
 
-#include "gl/program.hpp"
-#include "gpu/world_buffers.hpp"
+#include "gpu/bond_pass.hpp"
+#include "gpu/event_buffer.hpp"
+#include "gpu/feedback.hpp"
 
 namespace sunder::gpu {
 
@@ -26,47 +27,36 @@ class ScatterSolver : public GpuSolver {
     StateView view() const override;
 
   private:
-    /// Reading order of vertex attributes and the buffers behind a state: [current] is read, [1 −
-    /// current] written.
+    /// [current] is read, [1 − current] written.
     struct NodeSide {
         NodeBuffer nodes;
         gl::VertexArray attributes;
     };
-    struct BondSide {
-        BondBuffer bonds;
-        gl::VertexArray attributes;
-    };
 
-    void makeElementBuffers();
+    void makeElementBuffer();
     void makeTargets();
     void makePrograms();
-    void writeEvents();
     void updateElements(bool fracture);
     void updateConnectivity();
     void updateNodes(int stepInFrame);
-    void updateFracture();
-    void updateLinks();
-    /// Runs `program` over `count` vertices with its outputs captured in `target`.
-    void feedback(const gl::Program& program, const gl::VertexArray& attributes,
-                  const gl::Buffer& target, int count);
 
     const World& world_;
     const WorldBuffers& buffers_;
     std::int64_t step_ = 0;
     int height_;  ///< rows of the float textures
 
-    gl::Buffer elementBuffer_, strengthBuffer_, linkBuffer_, eventBuffer_;
-    gl::Texture linkTexture_, eventTexture_;
-    gl::VertexArray elementAttributes_, noAttributes_;
+    Feedback feedback_;
+    BondPass bonds_;
+    EventBuffer events_;
     std::array<NodeSide, 2> nodes_;
-    std::array<BondSide, 2> bonds_;
-    int currentNodes_ = 0, currentBonds_ = 0;
+    int currentNodes_ = 0;
+    gl::Buffer elementBuffer_;
+    gl::VertexArray elementAttributes_, noAttributes_;
 
-    gl::Texture forceTexture_, stressTexture_, cumulativeTexture_, discardTexture_;
-    gl::Framebuffer elementTarget_, cumulativeTarget_, discardTarget_;
-    /// elementPrograms_[1] also computes stresses.
-    std::array<gl::Program, 2> elementPrograms_;
-    gl::Program connectivityProgram_, nodeProgram_, fractureProgram_, linkProgram_;
+    gl::Texture forceTexture_, stressTexture_, cumulativeTexture_;
+    gl::Framebuffer elementTarget_, cumulativeTarget_;
+    std::array<gl::Program, 2> elementPrograms_;  ///< [1] also computes stresses
+    gl::Program connectivityProgram_, nodeProgram_;
     GLint stepInFrameUniform_ = -1;
 };
 

@@ -17,7 +17,8 @@ vec4 toVec4(const Vec3& v, double w) {
 gl::Buffer makeRest(const World& world) {
     std::vector<vec4> rest(world.nodeCount());
     for (int node = 0; node < world.nodeCount(); ++node)
-        rest[node] = toVec4(world.restPosition(node), world.nodeMass(node));
+        rest[node] = toVec4(world.restPosition(node),
+                            (world.anchored(node) ? -1 : 1) * world.nodeMass(node));
     return gl::makeBuffer<vec4>(rest, GL_STATIC_DRAW, "rest positions");
 }
 

@@ -12,8 +12,8 @@ class WorldBuffers {
     int cellCount() const { return cellCount_; }
     int nodeCount() const { return kCorners * cellCount_; }
 
-    /// Texture buffer, RGBA32F, one texel per node: rest position (m), mass of this copy (kg; 0 in
-    /// absent cells).
+    /// Texture buffer, RGBA32F, one texel per node: rest position (m); mass of this copy (kg),
+    /// negative where the node is anchored, 0 in absent cells.
     const gl::Texture& rest() const { return restTexture_; }
     /// Texture buffer, R32UI, one texel per cell: law | body << SUNDER_LAW_BITS.
     const gl::Texture& cells() const { return cellTexture_; }

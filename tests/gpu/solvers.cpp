@@ -1,3 +1,4 @@
+#include "gpu/gather.hpp"
 #include "gpu/scatter.hpp"
 #include "gpu/test_context.hpp"
 #include "support/solver_under_test.hpp"
@@ -12,9 +13,10 @@ gl::Context& testContext() {
 namespace {
 
 /// Keeps the world's buffers alive, and turns every GL error into a failed test.
-class CheckedScatter : public Solver {
+template <class GpuSolver>
+class Checked : public Solver {
   public:
-    explicit CheckedScatter(const World& world) : buffers_(world), solver_(world, buffers_) {}
+    explicit Checked(const World& world) : buffers_(world), solver_(world, buffers_) {}
     std::string_view name() const override { return solver_.name(); }
     void advance(int steps) override { solver_.advance(steps); }
     State state() const override {
@@ -26,16 +28,18 @@ class CheckedScatter : public Solver {
 
   private:
     gpu::WorldBuffers buffers_;
-    gpu::ScatterSolver solver_;
+    GpuSolver solver_;
 };
+
+template <class GpuSolver>
+std::unique_ptr<Solver> makeChecked(const World& world) {
+    testContext();
+    return std::make_unique<Checked<GpuSolver>>(world);
+}
 
 }  // namespace
 
 std::vector<SolverUnderTest> solversUnderTest() {
-    return {{"scatter",
-             [](const World& world) {
-                 testContext();
-                 return std::make_unique<CheckedScatter>(world);
-             },
-             6e-8}};
+    return {{"gather", makeChecked<gpu::GatherSolver>, 6e-8},
+            {"scatter", makeChecked<gpu::ScatterSolver>, 6e-8}};
 }

@@ -1,14 +1,18 @@
-// Link masks after bonds broke: one vertex per cell, eight masks of eight bits, written by transform feedback.
+// After bonds broke: which nodes are joined, one vertex per cell, written by transform feedback (LinkRecord).
 #include "physics/lattice.glsl"
 #include "physics/links.glsl"
 
 uniform samplerBuffer bonds;  // BondRecord
+uniform samplerBuffer rest;   // w: mass of this copy, kg, negative where anchored
 
-flat out uvec2 newLinks;
+flat out uvec4 newMasks;
+out vec4 newInverseMassLow;
+out vec4 newInverseMassHigh;
 
 void main() {
-    uvec2 packed_ = uvec2(0u);
-    newLinks = packed_;
+    newMasks = uvec4(0u);
+    newInverseMassLow = vec4(0.0);
+    newInverseMassHigh = vec4(0.0);
     uint record = cellRecord(gl_VertexID);
     if (lawOf(record) == SUNDER_ABSENT) return;
     ivec4 lattice = ivec4(bodyRecord(bodyOf(record)).lattice);
@@ -25,6 +29,8 @@ void main() {
         vec3 damage = texelFetch(bonds, 2 * (gl_VertexID + steps.x + steps.y + steps.z)).xyz;
         held[i] = uint(damage.x < 1.0) | uint(damage.y < 1.0) << 1u | uint(damage.z < 1.0) << 2u;
     }
+    uvec2 masks = uvec2(0u);
+    float inverseMass[8];
     for (int corner = 0; corner < 8; ++corner) {
         int own = corner ^ 7;
         uvec3 around = uvec3(0u);
@@ -34,9 +40,23 @@ void main() {
             for (int axis = 0; axis < 3; ++axis)
                 if ((octant >> axis & 1) == 0) around[axis] |= (owned >> uint(axis) & 1u) << uint(octant);
         }
-        uint mask = linkMask(around, own) << uint(8 * (corner & 3));
-        if (corner < 4) packed_.x |= mask;
-        else packed_.y |= mask;
+        uint mask = linkMask(around, own);
+        if (corner < 4) masks.x |= mask << uint(8 * corner);
+        else masks.y |= mask << uint(8 * (corner - 4));
+
+        // The same order for every copy of the lattice point, as for forces.
+        float mass = 0.0;
+        bool anchored = false;
+        for (int octant = 0; octant < 8; ++octant) {
+            if ((mask >> uint(octant) & 1u) == 0u) continue;
+            ivec3 steps = (cornerBits(octant) - cornerBits(own)) * strides;
+            float own_ = texelFetch(rest, 8 * (gl_VertexID + steps.x + steps.y + steps.z) + (octant ^ 7)).w;
+            mass += abs(own_);
+            if (own_ < 0.0) anchored = true;
+        }
+        inverseMass[corner] = anchored ? 0.0 : 1.0 / mass;
     }
-    newLinks = packed_;
+    newMasks = uvec4(masks, 0u, 0u);
+    newInverseMassLow = vec4(inverseMass[0], inverseMass[1], inverseMass[2], inverseMass[3]);
+    newInverseMassHigh = vec4(inverseMass[4], inverseMass[5], inverseMass[6], inverseMass[7]);
 }

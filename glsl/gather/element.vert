@@ -1,0 +1,119 @@
+// Element update: one vertex per cell computes its five tetrahedra and the forces on its eight nodes; every few steps also the
+// stresses that bonds are tested with. Transform feedback writes both.
+//
+// On a box cell nothing but edge lengths is needed (no rest matrices): in a corner tetrahedron the columns of F are the three
+// edges at its apex over their lengths, in the central one half sums and differences of its four corners.
+#include "physics/lattice.glsl"
+#include "physics/elasticity.glsl"
+#if FRACTURE
+#include "physics/eigen.glsl"
+#endif
+
+uniform samplerBuffer nodes;  // NodeRecord
+uniform float stepSize;       // s
+
+out vec3 newForces[8];  // N, on this cell's copies of its nodes
+#if FRACTURE
+out vec4 newStress[7];  // glsl/gather/stress.glsl
+#endif
+
+vec3 u[8], v[8], f[8];
+
+#if FRACTURE
+float largestPrincipal = -1.0e30;
+
+void addPrincipal(ElementLaw law, mat3 F, mat3 piola) {
+    if (law.fracture.x >= SUNDER_UNBREAKABLE) return;  // nothing asks for it
+    vec3 values;
+    mat3 vectors;
+    symmetricEigen(scaledCauchyStress(law, F, piola), values, vectors);
+    largestPrincipal = max(largestPrincipal, values.x);
+}
+#endif
+
+// a: apex; x, y, z: its neighbours along the axes; toward: signed reciprocal edge lengths, 1/m, away from the apex.
+ElementStress cornerTetrahedron(ElementLaw law, int a, int x, int y, int z, vec3 toward) {
+    mat3 displacement = mat3((u[x] - u[a]) * toward.x, (u[y] - u[a]) * toward.y, (u[z] - u[a]) * toward.z);
+    mat3 rate = mat3((v[x] - v[a]) * toward.x, (v[y] - v[a]) * toward.y, (v[z] - v[a]) * toward.z);
+    mat3 F = mat3(1.0) + displacement;
+    ElementStress stress = elementStress(law, F, rate, stepSize);
+    float volume = law.cellSize.w / 6.0;
+    vec3 fx = stress.piola[0] * (-volume * toward.x);
+    vec3 fy = stress.piola[1] * (-volume * toward.y);
+    vec3 fz = stress.piola[2] * (-volume * toward.z);
+    f[x] += fx;
+    f[y] += fy;
+    f[z] += fz;
+    f[a] -= fx + fy + fz;
+#if FRACTURE
+    addPrincipal(law, F, stress.piola);
+#endif
+    return stress;
+}
+
+// Columns of the gradient of a field on the central tetrahedron 0, 3, 5, 6; half: half reciprocal edge lengths.
+mat3 centralGradient(vec3 a0, vec3 a3, vec3 a5, vec3 a6, vec3 half_) {
+    vec3 first = a3 - a6, second = a5 - a0;
+    return mat3((first + second) * half_.x, (a3 + a6 - a5 - a0) * half_.y, (second - first) * half_.z);
+}
+
+void centralTetrahedron(ElementLaw law, vec3 reciprocal) {
+    vec3 half_ = 0.5 * reciprocal;
+    mat3 F = mat3(1.0) + centralGradient(u[0], u[3], u[5], u[6], half_);
+    ElementStress stress = elementStress(law, F, centralGradient(v[0], v[3], v[5], v[6], half_), stepSize);
+    float volume = law.cellSize.w / 3.0;
+    vec3 fx = stress.piola[0] * (-volume * half_.x);
+    vec3 fy = stress.piola[1] * (-volume * half_.y);
+    vec3 fz = stress.piola[2] * (-volume * half_.z);
+    f[0] -= fx + fy + fz;
+    f[3] += fx + fy - fz;
+    f[5] += fx - fy + fz;
+    f[6] += fy + fz - fx;
+#if FRACTURE
+    addPrincipal(law, F, stress.piola);
+#endif
+}
+
+void main() {
+    uint record = cellRecord(gl_VertexID);
+    uint lawIndex = lawOf(record);
+    if (lawIndex == SUNDER_ABSENT) {
+        for (int k = 0; k < 8; ++k) newForces[k] = vec3(0.0);
+#if FRACTURE
+        for (int i = 0; i < 7; ++i) newStress[i] = vec4(0.0);
+#endif
+        return;
+    }
+    ElementLaw law = laws[lawIndex];
+    int parity = cellParity(cellCoordinates(gl_VertexID, ivec4(bodyRecord(bodyOf(record)).lattice)));
+    // An odd cell is an even one seen in a mirror across x: corner k stands for k ^ 1, and x runs backwards.
+    for (int k = 0; k < 8; ++k) {
+        int node = 8 * gl_VertexID + (k ^ parity);
+        u[k] = texelFetch(nodes, 2 * node).xyz;
+        v[k] = texelFetch(nodes, 2 * node + 1).xyz;
+        f[k] = vec3(0.0);
+    }
+    vec3 r = 1.0 / law.cellSize.xyz;
+    if (parity != 0) r.x = -r.x;
+
+    ElementStress s1 = cornerTetrahedron(law, 1, 0, 3, 5, vec3(-r.x, r.y, r.z));
+    ElementStress s2 = cornerTetrahedron(law, 2, 3, 0, 6, vec3(r.x, -r.y, r.z));
+    ElementStress s4 = cornerTetrahedron(law, 4, 5, 6, 0, vec3(r.x, r.y, -r.z));
+    ElementStress s7 = cornerTetrahedron(law, 7, 6, 5, 3, vec3(-r.x, -r.y, -r.z));
+    centralTetrahedron(law, r);
+
+    for (int k = 0; k < 8; k += 2) {
+        newForces[k] = parity == 0 ? f[k] : f[k + 1];
+        newForces[k + 1] = parity == 0 ? f[k + 1] : f[k];
+    }
+#if FRACTURE
+    mat3 T0 = biotStress(s1), T1 = biotStress(s2), T2 = biotStress(s4), T3 = biotStress(s7);
+    newStress[0] = vec4(T0[0][0], T0[1][1], T0[2][2], T0[0][1]);
+    newStress[1] = vec4(T1[0][0], T1[1][1], T1[2][2], T1[0][1]);
+    newStress[2] = vec4(T2[0][0], T2[1][1], T2[2][2], T2[0][1]);
+    newStress[3] = vec4(T3[0][0], T3[1][1], T3[2][2], T3[0][1]);
+    newStress[4] = vec4(T0[1][2], T0[2][0], T1[1][2], T1[2][0]);
+    newStress[5] = vec4(T2[1][2], T2[2][0], T3[1][2], T3[2][0]);
+    newStress[6] = vec4(largestPrincipal, 0.0, 0.0, 0.0);
+#endif
+}

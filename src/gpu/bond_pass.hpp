@@ -1,0 +1,43 @@
+#pragma once
+#include <array>
+
+#include "gpu/feedback.hpp"
+
+namespace sunder::gpu {
+
+/// Damage of bonds and what follows from it: which nodes are joined, and the masses of their
+/// groups.
+class BondPass {
+  public:
+    /// `fractureShader`: a file that includes physics/fracture.glsl and says where stresses lie.
+    BondPass(const World&, const char* fractureShader);
+
+    /// Whether anything in the world can break at all.
+    bool breakable() const { return breakable_; }
+    const BondBuffer& bonds() const { return bonds_[current_].bonds; }
+    /// Texture buffer, RGBA32UI, SUNDER_LINK_TEXELS per cell (LinkRecord).
+    const gl::Texture& links() const { return linkTexture_; }
+
+    /// Advances damage by one fracture interval from the stresses of the last element update, then
+    /// the links. Needs bindWorld().
+    void update(const Feedback&);
+    /// Sets the damage and recomputes the links. Needs bindWorld().
+    void write(const State&, const Feedback&);
+
+  private:
+    struct Side {
+        BondBuffer bonds;
+        gl::VertexArray attributes;
+    };
+    void updateLinks(const Feedback&);
+
+    int cellCount_;
+    bool breakable_ = false;
+    gl::Program fractureProgram_, linkProgram_;
+    gl::Buffer strengthBuffer_, linkBuffer_;
+    gl::Texture linkTexture_;
+    std::array<Side, 2> bonds_;  ///< [current_] is read, the other written
+    int current_ = 0;
+};
+
+}  // namespace sunder::gpu

@@ -1,0 +1,23 @@
+#pragma once
+#include "gpu/world_buffers.hpp"
+
+namespace sunder::gpu {
+
+/// The world's events on the GPU (EventRecord).
+class EventBuffer {
+  public:
+    explicit EventBuffer(const World&);
+    /// Texture buffer, RGBA32F, SUNDER_EVENT_TEXELS per event, sorted by body.
+    const gl::Texture& texture() const { return texture_; }
+    /// Event times count steps from `step`, the first of this frame: single precision stays exact
+    /// however long the world has run. Returns whether any event acts during the next `steps`.
+    bool write(std::int64_t step, int steps);
+
+  private:
+    const World& world_;
+    bool stale_ = false;  ///< the buffer holds events that act
+    gl::Buffer buffer_;
+    gl::Texture texture_;
+};
+
+}  // namespace sunder::gpu

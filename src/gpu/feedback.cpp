@@ -1,0 +1,76 @@
+#include "gpu/feedback.hpp"
+
+namespace sunder::gpu {
+namespace {
+
+constexpr const char* kSamplers[kUnitCount] = {"cells",    "bodies",          "rest",  "nodes",
+                                               "bonds",    "events",          "links", "forces",
+                                               "stresses", "cumulativeForces"};
+constexpr int kLawBinding = 0;
+
+}  // namespace
+
+void setConstants(const gl::Program& program, const World& world) {
+    program.bindUniformBlock("ElementLaws", kLawBinding);
+    for (int unit = 0; unit < kUnitCount; ++unit) program.bindSampler(kSamplers[unit], unit);
+    const auto h = static_cast<float>(world.step());
+    glUniform1f(program.uniform("stepSize"), h);
+    glUniform1f(program.uniform("interval"),
+                static_cast<float>(world.description().fractureInterval) * h);
+    glUniform2f(program.uniform("ground"), world.description().ground ? 1.0f : 0.0f,
+                static_cast<float>(world.description().groundFriction));
+}
+
+void bindWorld(const WorldBuffers& buffers) {
+    gl::bindTexture(kCells, GL_TEXTURE_BUFFER, buffers.cells());
+    gl::bindTexture(kBodies, GL_TEXTURE_BUFFER, buffers.bodies());
+    gl::bindTexture(kRest, GL_TEXTURE_BUFFER, buffers.rest());
+    glBindBufferBase(GL_UNIFORM_BUFFER, kLawBinding, buffers.laws().id());
+}
+
+void floatAttribute(GLuint location, int components, std::size_t stride, std::size_t offset) {
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                          reinterpret_cast<const void*>(offset));
+}
+
+gl::Framebuffer makeTarget(std::initializer_list<const gl::Texture*> textures) {
+    gl::Framebuffer framebuffer = gl::makeFramebuffer();
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    GLenum attachment = GL_COLOR_ATTACHMENT0;
+    for (const gl::Texture* texture : textures)
+        glFramebufferTexture2D(GL_FRAMEBUFFER, attachment++, GL_TEXTURE_2D, texture->id(), 0);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw ContextError("the driver cannot draw into the textures a solver needs");
+    return framebuffer;
+}
+
+Feedback::Feedback()
+    : texture_(gl::makeTexture2D(1, 1, GL_RGBA8, "discarded texels")),
+      target_(makeTarget({&texture_})),
+      noAttributes_(gl::makeVertexArray()) {}
+
+void Feedback::run(const gl::Program& program, std::initializer_list<const gl::Buffer*> targets,
+                   int count) const {
+    run(program, noAttributes_, targets, 0, count);
+}
+
+void Feedback::run(const gl::Program& program, const gl::VertexArray& attributes,
+                   std::initializer_list<const gl::Buffer*> targets, int first, int count) const {
+    // Nothing is rasterised, but without a complete framebuffer the draw would fail and capture
+    // nothing.
+    glBindFramebuffer(GL_FRAMEBUFFER, target_.id());
+    glEnable(GL_RASTERIZER_DISCARD);
+    program.use();
+    glBindVertexArray(attributes.id());
+    GLuint index = 0;
+    for (const gl::Buffer* target : targets)
+        glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, index++, target->id());
+    glBeginTransformFeedback(GL_POINTS);
+    glDrawArrays(GL_POINTS, first, count);
+    glEndTransformFeedback();
+    while (index > 0) glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, --index, 0);
+    glDisable(GL_RASTERIZER_DISCARD);
+}
+
+}  // namespace sunder::gpu

@@ -1,0 +1,57 @@
+#pragma once
+#include <initializer_list>
+
+#include "gl/program.hpp"
+#include "gpu/world_buffers.hpp"
+
+namespace sunder::gpu {
+
+/// Texture units of the solvers' passes. One meaning each, so that a pass binds only what changed.
+enum Unit {
+    kCells,
+    kBodies,
+    kRest,
+    kNodes,
+    kBonds,
+    kEvents,
+    kLinks,
+    kForces,
+    kStresses,
+    kCumulative,
+    kUnitCount
+};
+
+/// Points every sampler and uniform block the program has to its place, and sets what stays the
+/// same for a whole run: step, fracture interval, ground.
+void setConstants(const gl::Program& program, const World& world);
+
+/// Binds what does not change while a solver advances: another user of the context may have used
+/// these units since.
+void bindWorld(const WorldBuffers& buffers);
+
+/// One enabled float attribute of `components` at `location` in the bound vertex array and buffer.
+void floatAttribute(GLuint location, int components, std::size_t stride, std::size_t offset);
+
+/// A framebuffer with these colour attachments. Throws ContextError when the driver cannot draw
+/// into them.
+gl::Framebuffer makeTarget(std::initializer_list<const gl::Texture*> textures);
+
+/// Runs vertex shaders whose outputs are captured in buffers and whose points are not drawn.
+class Feedback {
+  public:
+    Feedback();
+    /// `targets`: one per buffer the program's varyings go to. Reads vertex attributes from
+    /// `attributes`.
+    void run(const gl::Program& program, const gl::VertexArray& attributes,
+             std::initializer_list<const gl::Buffer*> targets, int first, int count) const;
+    /// The same without attributes: the shader fetches by gl_VertexID.
+    void run(const gl::Program& program, std::initializer_list<const gl::Buffer*> targets,
+             int count) const;
+
+  private:
+    gl::Texture texture_;
+    gl::Framebuffer target_;
+    gl::VertexArray noAttributes_;
+};
+
+}  // namespace sunder::gpu
