@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <unordered_map>
 
 #include "core/types.hpp"
 #include "gl/error_name.hpp"
@@ -60,12 +61,49 @@ GLint limit(GLenum name) {
     return value;
 }
 
+/// Sizes of what is alive, by name. Contexts live one at a time and outlive their objects, so names
+/// are unique.
+class Allocations {
+  public:
+    void add(GLuint id, std::size_t bytes) {
+        remove(id);
+        sizes_[id] = bytes;
+        total_ += bytes;
+    }
+    void remove(GLuint id) {
+        const auto found = sizes_.find(id);
+        if (found == sizes_.end()) return;
+        total_ -= found->second;
+        sizes_.erase(found);
+    }
+    std::size_t total() const { return total_; }
+
+  private:
+    std::unordered_map<GLuint, std::size_t> sizes_;
+    std::size_t total_ = 0;
+};
+
+Allocations& bufferAllocations() {
+    static Allocations allocations;
+    return allocations;
+}
+Allocations& textureAllocations() {
+    static Allocations allocations;
+    return allocations;
+}
+
 }  // namespace
 
+std::size_t allocatedBytes() {
+    return bufferAllocations().total() + textureAllocations().total();
+}
+
 void deleteBuffer(GLuint id) {
+    bufferAllocations().remove(id);
     glDeleteBuffers(1, &id);
 }
 void deleteTexture(GLuint id) {
+    textureAllocations().remove(id);
     glDeleteTextures(1, &id);
 }
 void deleteFramebuffer(GLuint id) {
@@ -89,6 +127,7 @@ Buffer::Buffer(std::size_t bytes, const void* data, GLenum usage, const char* wh
     allocate(what, static_cast<double>(bytes), [&] {
         glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), data, usage);
     });
+    bufferAllocations().add(id, bytes);
 }
 
 void Buffer::write(std::size_t offset, std::size_t bytes, const void* data) {
@@ -146,10 +185,13 @@ Texture makeTexture2D(int width, int height, GLenum format, const char* what) {
     glGenTextures(1, &id);
     Texture texture(id);
     glBindTexture(GL_TEXTURE_2D, id);
-    allocate(what, double(width) * double(height) * double(pixel.bytes), [&] {
+    const std::size_t bytes = std::size_t{pixel.bytes} * static_cast<std::size_t>(width) *
+                              static_cast<std::size_t>(height);
+    allocate(what, static_cast<double>(bytes), [&] {
         glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, pixel.format,
                      pixel.type, nullptr);
     });
+    textureAllocations().add(id, bytes);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);

@@ -44,6 +44,10 @@ using Framebuffer = Handle<deleteFramebuffer>;
 using VertexArray = Handle<deleteVertexArray>;
 using Texture = Handle<deleteTexture>;
 
+/// Bytes of the buffers and 2D textures made below that are alive: what Sunder asked for, not what
+/// the driver rounds it to.
+std::size_t allocatedBytes();
+
 /// A buffer object of fixed size.
 class Buffer {
   public:

@@ -75,11 +75,14 @@ void GatherSolver::advance(int steps) {
         gl::bindTexture(kNodes, GL_TEXTURE_BUFFER, nodes_[current_].texture());
         updateElements(fracture);
         updateNodes(events, i);
-        if (fracture) bonds_.update(feedback_);
+        if (!fracture) continue;
+        const TimedPass timed(passTimer_, "bonds and links");
+        bonds_.update(feedback_);
     }
 }
 
 void GatherSolver::updateElements(bool fracture) {
+    const TimedPass timed(passTimer_, fracture ? "elements and stresses" : "elements");
     if (fracture)
         feedback_.run(elementPrograms_[1], {&forceBuffer_, &stressBuffer_}, world_.cellCount());
     else
@@ -87,6 +90,7 @@ void GatherSolver::updateElements(bool fracture) {
 }
 
 void GatherSolver::updateNodes(bool events, int stepInFrame) {
+    const TimedPass timed(passTimer_, "nodes");
     if (events) {
         nodePrograms_[1].use();
         glUniform1f(stepInFrameUniform_, static_cast<float>(stepInFrame));

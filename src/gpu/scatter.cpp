@@ -162,11 +162,14 @@ void ScatterSolver::advance(int steps) {
         updateElements(fracture);
         updateConnectivity();
         updateNodes(i);
-        if (fracture) bonds_.update(feedback_);
+        if (!fracture) continue;
+        const TimedPass timed(passTimer_, "bonds and links");
+        bonds_.update(feedback_);
     }
 }
 
 void ScatterSolver::updateElements(bool fracture) {
+    const TimedPass timed(passTimer_, fracture ? "elements and stresses" : "elements");
     glBindFramebuffer(GL_FRAMEBUFFER, elementTarget_.id());
     drawBuffers(fracture ? 2 : 1);
     glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
@@ -184,6 +187,7 @@ void ScatterSolver::updateElements(bool fracture) {
 }
 
 void ScatterSolver::updateConnectivity() {
+    const TimedPass timed(passTimer_, "connectivity");
     glBindFramebuffer(GL_FRAMEBUFFER, cumulativeTarget_.id());
     connectivityProgram_.use();
     glBindVertexArray(noAttributes_.id());
@@ -191,6 +195,7 @@ void ScatterSolver::updateConnectivity() {
 }
 
 void ScatterSolver::updateNodes(int stepInFrame) {
+    const TimedPass timed(passTimer_, "nodes");
     nodeProgram_.use();
     glUniform1f(stepInFrameUniform_, static_cast<float>(stepInFrame));
     const int next = 1 - currentNodes_;

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/solver.hpp"
 #include "gl/objects.hpp"
+#include "gpu/pass_timer.hpp"
 
 namespace sunder::gpu {
 
@@ -69,6 +70,11 @@ struct StateView {
 class GpuSolver : public Solver {
   public:
     virtual StateView view() const = 0;
+    /// Null: none (the default). The timer must outlive its use here.
+    void setPassTimer(PassTimer* timer) { passTimer_ = timer; }
+
+  protected:
+    PassTimer* passTimer_ = nullptr;
 };
 
 /// Brings a CPU solver's state to the GPU for drawing.
