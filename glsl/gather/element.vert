@@ -12,7 +12,7 @@
 uniform samplerBuffer nodes;  // NodeRecord
 uniform float stepSize;       // s
 
-out vec3 newForces[8];  // N, on this cell's copies of its nodes
+out vec4 newForces[8];  // N, on this cell's copies of its nodes; w: 0, so that each is one aligned fetch
 #if FRACTURE
 out vec4 newStress[7];  // glsl/gather/stress.glsl
 #endif
@@ -78,7 +78,7 @@ void main() {
     uint record = cellRecord(gl_VertexID);
     uint lawIndex = lawOf(record);
     if (lawIndex == SUNDER_ABSENT) {
-        for (int k = 0; k < 8; ++k) newForces[k] = vec3(0.0);
+        for (int k = 0; k < 8; ++k) newForces[k] = vec4(0.0);
 #if FRACTURE
         for (int i = 0; i < 7; ++i) newStress[i] = vec4(0.0);
 #endif
@@ -103,8 +103,8 @@ void main() {
     centralTetrahedron(law, r);
 
     for (int k = 0; k < 8; k += 2) {
-        newForces[k] = parity == 0 ? f[k] : f[k + 1];
-        newForces[k + 1] = parity == 0 ? f[k + 1] : f[k];
+        newForces[k] = vec4(parity == 0 ? f[k] : f[k + 1], 0.0);
+        newForces[k + 1] = vec4(parity == 0 ? f[k + 1] : f[k], 0.0);
     }
 #if FRACTURE
     mat3 T0 = biotStress(s1), T1 = biotStress(s2), T2 = biotStress(s4), T3 = biotStress(s7);

@@ -6,8 +6,10 @@
 #include "physics/integrate.glsl"
 
 uniform samplerBuffer nodes;   // NodeRecord
-uniform samplerBuffer forces;  // RGB32F, per node: N, on one copy
-uniform samplerBuffer rest;    // xyz: rest position, m
+uniform samplerBuffer forces;  // per node: N, on one copy
+#if EVENTS
+uniform samplerBuffer rest;  // xyz: rest position, m
+#endif
 uniform usamplerBuffer links;  // LinkRecord
 uniform float stepInFrame;
 
@@ -40,14 +42,13 @@ void main() {
             ivec3 steps = cornerBits(octant) * strides;
             force += texelFetch(forces, 8 * (base + steps.x + steps.y + steps.z) + (octant ^ 7)).xyz;
         }
-        vec3 restPosition = texelFetch(rest, node).xyz;
         vec3 acceleration = force * inverseMass + body.gravity.xyz;
 #if EVENTS
-        acceleration += eventAcceleration(body.events.xy, restPosition, stepInFrame);
+        acceleration += eventAcceleration(body.events.xy, texelFetch(rest, node).xyz, stepInFrame);
 #endif
         vec3 u = displacement.xyz, v = texelFetch(nodes, 2 * node + 1).xyz;
-        integrateNode(u, v, acceleration, body.gravity.w, body.cellSize.w, restPosition.y);
-        newNodes[2 * corner] = vec4(u, 0.0);
+        integrateNode(u, v, acceleration, body.gravity.w, body.cellSize.w, displacement.w);
+        newNodes[2 * corner] = vec4(u, displacement.w);
         newNodes[2 * corner + 1] = vec4(v, 0.0);
     }
 }

@@ -42,7 +42,7 @@ struct EventRecord {
 
 // One node in the node buffer, written by transform feedback: 8 floats.
 struct NodeRecord {
-    vec4 displacement; // xyz: m from rest; w: 0
+    vec4 displacement; // xyz: m from rest; w: rest height, m, carried along for the ground
     vec4 velocity;     // xyz: m/s; w: 0
 };
 

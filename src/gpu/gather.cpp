@@ -5,7 +5,7 @@
 namespace sunder::gpu {
 namespace {
 
-constexpr std::size_t kForceBytesPerCell = sizeof(float) * 3 * kCorners;
+constexpr std::size_t kForceBytesPerCell = sizeof(vec4) * kCorners;
 constexpr std::size_t kStressBytesPerCell =
     sizeof(vec4) * 7;  // SUNDER_STRESS_RECORD in glsl/gather/stress.glsl
 
@@ -19,7 +19,7 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
       nodes_{NodeBuffer(world), NodeBuffer(world)},
       forceBuffer_(kForceBytesPerCell * world.cellCount(), nullptr, GL_DYNAMIC_COPY, "forces"),
       stressBuffer_(kStressBytesPerCell * world.cellCount(), nullptr, GL_DYNAMIC_COPY, "stresses"),
-      forceTexture_(gl::makeBufferTexture(forceBuffer_, GL_RGB32F, "forces")),
+      forceTexture_(gl::makeBufferTexture(forceBuffer_, GL_RGBA32F, "forces")),
       stressTexture_(gl::makeBufferTexture(stressBuffer_, GL_RGBA32F, "stresses")) {
     elementPrograms_[0] = gl::Program({.vertex = "gather/element.vert",
                                        .defines = {{"FRACTURE", "0"}},

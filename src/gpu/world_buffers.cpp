@@ -81,13 +81,15 @@ WorldBuffers::WorldBuffers(const World& world)
       bodyTexture_(gl::makeBufferTexture(bodyBuffer_, GL_RGBA32F, "bodies")) {}
 
 NodeBuffer::NodeBuffer(const World& world)
-    : buffer_(sizeof(NodeRecord) * world.nodeCount(), nullptr, GL_DYNAMIC_COPY, "nodes"),
+    : world_(world),
+      buffer_(sizeof(NodeRecord) * world.nodeCount(), nullptr, GL_DYNAMIC_COPY, "nodes"),
       texture_(gl::makeBufferTexture(buffer_, GL_RGBA32F, "nodes")) {}
 
 void NodeBuffer::write(const State& state) {
     std::vector<NodeRecord> nodes(state.displacement.size());
     for (std::size_t i = 0; i < nodes.size(); ++i)
-        nodes[i] = {toVec4(state.displacement[i], 0), toVec4(state.velocity[i], 0)};
+        nodes[i] = {toVec4(state.displacement[i], world_.restPosition(static_cast<int>(i))[1]),
+                    toVec4(state.velocity[i], 0)};
     buffer_.write(0, sizeof(NodeRecord) * nodes.size(), nodes.data());
 }
 

@@ -33,7 +33,7 @@ class WorldBuffers {
 /// everything else reads.
 class NodeBuffer {
   public:
-    explicit NodeBuffer(const World&);  ///< contents undefined
+    explicit NodeBuffer(const World&);  ///< contents undefined; the world must outlive it
     const gl::Buffer& buffer() const { return buffer_; }
     /// RGBA32F, 2 texels per node.
     const gl::Texture& texture() const { return texture_; }
@@ -41,6 +41,7 @@ class NodeBuffer {
     void read(State&) const;  ///< waits for the GPU
 
   private:
+    const World& world_;
     gl::Buffer buffer_;
     gl::Texture texture_;
 };
