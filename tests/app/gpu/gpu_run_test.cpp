@@ -49,7 +49,7 @@ TEST_CASE("App: pictures are those that were asked for, in the size that was ask
     }
     CHECK(first.pixels != last.pixels);
     const json report = place.readJson("o/report.json");
-    CHECK(report.at("solver") == "scatter");
+    CHECK(report.at("solver") == "gather");  // the default
     CHECK(report.at("gl_renderer").get<std::string>() != "");
     CHECK(report.at("bonds_broken") > 0);
 }
@@ -71,30 +71,32 @@ TEST_CASE("App: a run over an earlier one's folder replaces what it writes") {
     CHECK(place.readJson("o/report.json").at("seed") == 9);
 }
 
-TEST_CASE("App: scatter and reference tell the same of a wall that falls") {
+TEST_CASE("App: the GPU solvers and reference tell the same of a wall that falls") {
     const Workplace place;
     place.write("wall.toml", scenes::kFalling);
-    const json scatter = reportOf(place, "scatter"), reference = reportOf(place, "reference");
-    CHECK(scatter.at("solver") == "scatter");
+    const std::string name = GENERATE("scatter", "gather");
+    const json gpu = reportOf(place, name), reference = reportOf(place, "reference");
+    CHECK(gpu.at("solver") == name);
     CHECK(reference.at("solver") == "reference");
     for (const char* key : {"cells", "tetrahedra", "nodes", "bonds_total", "bonds_broken", "pieces",
                             "frames", "dt", "steps_per_frame", "nan"}) {
         INFO(key);
-        CHECK(scatter.at(key) == reference.at(key));
+        CHECK(gpu.at(key) == reference.at(key));
     }
-    CHECK(scatter.at("min_y").get<double>() ==
+    CHECK(gpu.at("min_y").get<double>() ==
           Approx(reference.at("min_y").get<double>()).margin(1e-3));
-    CHECK(scatter.at("max_speed").get<double>() ==
+    CHECK(gpu.at("max_speed").get<double>() ==
           Approx(reference.at("max_speed").get<double>()).epsilon(1e-3));
-    CHECK(scatter.at("energy").at("kinetic").get<double>() ==
+    CHECK(gpu.at("energy").at("kinetic").get<double>() ==
           Approx(reference.at("energy").at("kinetic").get<double>()).epsilon(1e-3));
 }
 
-TEST_CASE("App: scatter gives the same wall twice, and another for another seed") {
+TEST_CASE("App: a GPU solver gives the same wall twice, and another for another seed") {
     const Workplace place;
     place.write("wall.toml", scenes::kBreaking);
+    const std::string solver = GENERATE("scatter", "gather");
     const auto hash = [&](const std::string& seed) -> std::string {
-        run(place, {"--frames-png", "0", "--seed", seed, "--json", "a.json"});
+        run(place, {"--frames-png", "0", "--solver", solver, "--seed", seed, "--json", "a.json"});
         CHECK(place.readJson("a.json").at("nan") == 0);
         return place.readJson("a.json").at("state_hash");
     };

@@ -46,7 +46,7 @@ TEST_CASE("App: --help names every command, and a command's --help its options")
     CHECK(place.contents().empty());
 }
 
-TEST_CASE("App: list names every preset that is in the source folder, and both solvers") {
+TEST_CASE("App: list names every preset that is in the source folder, and every solver") {
     const Workplace place;
     const Result result = place.run({"list"}, kNoGl);
     CHECK(result.exitCode == 0);
@@ -65,8 +65,10 @@ TEST_CASE("App: list names every preset that is in the source folder, and both s
         CHECK(std::count(listed.begin(), listed.end(), '\n') == count);
     }
     const std::string solvers = section(result.out, "Solvers");
-    CHECK(contains(solvers, "  scatter "));
-    CHECK(contains(solvers, "  reference "));
+    for (const std::string solver : {"scatter", "gather", "reference"}) {
+        INFO(solver);
+        CHECK(contains(solvers, "  " + solver + " "));
+    }
 }
 
 TEST_CASE("App: a wrong command line is one sentence and exit code 2, and leaves nothing") {
@@ -95,7 +97,7 @@ TEST_CASE("App: a wrong command line is one sentence and exit code 2, and leaves
         {{"run", "ok.toml", "--seed", "18446744073709551616"}, {"--seed"}},  // 2^64
         {{"run", "ok.toml", "--frames-png", "-1"}, {"--frames-png"}},
         {{"run", "ok.toml", "--style", "cubist"}, {"--style", "wireframe"}},
-        {{"run", "ok.toml", "--solver", "magic"}, {"'magic'", "scatter", "reference"}},
+        {{"run", "ok.toml", "--solver", "magic"}, {"'magic'", "scatter", "gather", "reference"}},
         {{"run", "ok.toml", "--json", "none/a.json"}, {"none/a.json", "no folder 'none'"}},
         {{"run", "ok.toml", "--state", "none/a.vtu"}, {"none/a.vtu", "no folder 'none'"}},
         {{"run", "ok.toml", "--json", "."}, {"it is a folder"}},
