@@ -6,6 +6,8 @@ find_package(CLI11 REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(glm REQUIRED)
+find_package(hwy 1.0 REQUIRED CONFIG) # SIMD
+find_package(TBB REQUIRED CONFIG)     # threads: oneTBB
 
 # stb: headers only; Debian puts them in <stb/...>, vcpkg beside the other headers.
 find_path(STB_INCLUDE_DIR stb_image_write.h PATH_SUFFIXES stb REQUIRED)

@@ -1,4 +1,4 @@
-// The thesis's GPU method against the reference, on a wall whose counts are multiples of nothing.
+// Every solver against the reference, on walls whose counts are multiples of nothing.
 #include "catch.hpp"
 #include "core/diagnostics.hpp"
 #include "cpu/reference.hpp"

@@ -1,0 +1,172 @@
+#include "cpu/cpu_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <new>
+
+#include "core/elasticity.hpp"
+
+namespace sunder::cpu {
+namespace {
+
+constexpr std::size_t kAlignment = 64;
+
+std::ptrdiff_t roundUp(std::ptrdiff_t n, std::ptrdiff_t to) {
+    return (n + to - 1) / to * to;
+}
+
+}  // namespace
+
+std::vector<Law> makeLaws(const World& world) {
+    std::vector<Law> result;
+    for (const ElementLaw& from : world.laws()) {
+        const Material& m = world.description().materials[from.material];
+        Law law{};
+        law.lambda = static_cast<float>(from.lambda);
+        law.twoMu = static_cast<float>(2 * from.mu);
+        law.corotated = m.law == ConstitutiveLaw::Corotated ? 1.f : 0.f;
+        law.stressScale = static_cast<float>(from.stressScale);
+        law.damageRate = static_cast<float>(1 / from.damageTime);
+        law.shearWeight = static_cast<float>(m.shearWeight);
+        law.friction = static_cast<float>(m.internalFriction);
+        law.maxStress = static_cast<float>(std::min<double>(from.maxStress, kUnbreakable));
+        result.push_back(law);
+    }
+    return result;
+}
+
+void BodyStorage::Free::operator()(std::byte* memory) const {
+    ::operator delete[](memory, std::align_val_t{kAlignment});
+}
+
+BodyStorage::BodyStorage(const World& world, int body, const std::vector<Law>& laws) {
+    arrays_.index = body;
+    arrays_.laws = laws.data();
+    choose(world);
+    allocate();
+    fill(world);
+}
+
+/// Order of the cells, constants of the body, and which arrays it needs.
+void BodyStorage::choose(const World& world) {
+    BodyArrays& a = arrays_;
+    const Body& body = world.bodies()[a.index];
+    for (int axis = 0; axis < 3; ++axis) a.extent[axis] = body.cells[axis];
+    const bool zSlowest = body.cells[2] > body.cells[1];
+    a.steps[0] = 1;
+    a.steps[1] = zSlowest ? body.cells[0] : body.cells[0] * body.cells[2];
+    a.steps[2] = zSlowest ? body.cells[0] * body.cells[1] : body.cells[0];
+    for (int axis = 0; axis < 3; ++axis) a.reach += a.extent[axis] > 1 ? a.steps[axis] : 0;
+    a.cells = body.cellCount();
+    a.vectors = static_cast<int>(roundUp(a.cells, kLanes) / kLanes);
+
+    int first = -1;
+    a.kind = LawKind::Green;
+    for (int cell = body.firstCell; cell < body.firstCell + a.cells; ++cell) {
+        const int law = world.lawOf(cell);
+        if (law < 0) continue;
+        if (first < 0) first = law;
+        if (law != first) a.kind = LawKind::Mixed;
+        a.bondsBreak |= world.materialOf(cell).fracture == FractureMode::Bond;
+        a.cellsBreak |= world.materialOf(cell).fracture == FractureMode::Cell;
+    }
+    a.law = a.laws[first];
+    if (a.kind != LawKind::Mixed && a.law.corotated != 0) a.kind = LawKind::Corotated;
+
+    const double h = world.step();
+    for (int axis = 0; axis < 3; ++axis) {
+        a.inverseCell[axis] = static_cast<float>(1 / body.cellSize[axis]);
+        a.forceWeight[axis] = static_cast<float>(body.cellSize.prod() / (6 * body.cellSize[axis]));
+        a.gravity[axis] = static_cast<float>(body.gravity[axis]);
+    }
+    a.dampingTime = static_cast<float>(kDamping * h);
+    a.step = static_cast<float>(h);
+    a.drag = static_cast<float>(std::exp(-body.drag * h));
+    a.speedLimit = static_cast<float>(body.speedLimit);
+    a.ground = world.description().ground;
+    a.groundFriction = static_cast<float>(world.description().groundFriction);
+}
+
+/// One block for all arrays. Each is a whole number of cache lines, and an odd one: at a power of
+/// two the 72 arrays that a step runs through would fall into the same few sets of the cache.
+void BodyStorage::allocate() {
+    BodyArrays& a = arrays_;
+    // Neighbours are read before it is known whether they are there.
+    const std::ptrdiff_t pad = roundUp(a.reach, kLanes);
+    a.stride = roundUp(a.cells, kLanes) + pad;
+    if (a.stride / kLanes % 2 == 0) a.stride += kLanes;
+    const auto floats = [&](int arrays) { return static_cast<std::size_t>(arrays * a.stride) * 4; };
+    const auto bytes = [&](int arrays) {
+        return static_cast<std::size_t>(roundUp(arrays * a.stride, kAlignment));
+    };
+    const std::size_t margin = static_cast<std::size_t>(pad) * 4;
+
+    std::byte* next = nullptr;
+    const auto take = [&](auto*& array, std::size_t size, bool wanted = true) {
+        if (!wanted) return;
+        array = reinterpret_cast<std::remove_reference_t<decltype(array)>>(next);
+        next += size;
+    };
+    const auto layOut = [&] {
+        take(a.displacement, floats(24));
+        take(a.velocity, floats(24));
+        next += margin;
+        take(a.force, floats(24));
+        next += margin;
+        take(a.stress, floats(24) + margin, a.bondsBreak);
+        take(a.over, floats(1) + margin, a.cellsBreak);
+        take(a.damage, floats(3));
+        take(a.slow, floats(3));
+        take(a.strength, floats(3));
+        take(a.side, floats(1));
+        take(a.inverseMass, floats(8));
+        take(a.restHeight, floats(2), a.ground);
+        take(a.lawIndex, floats(1), a.kind == LawKind::Mixed);
+        take(a.links, bytes(8));
+        take(a.broke, bytes(1));
+    };
+    layOut();
+    bytes_ = static_cast<std::size_t>(next - static_cast<std::byte*>(nullptr));
+    memory_.reset(static_cast<std::byte*>(::operator new[](bytes_, std::align_val_t{kAlignment})));
+    std::memset(memory_.get(), 0, bytes_);
+    next = memory_.get();
+    layOut();
+}
+
+void BodyStorage::fill(const World& world) {
+    BodyArrays& a = arrays_;
+    const Body& body = world.bodies()[a.index];
+    std::fill_n(a.side, a.stride, 1.f);
+    for (int cell = body.firstCell; cell < body.firstCell + a.cells; ++cell) {
+        const IVec3 c = body.coordinates(cell);
+        const int i = a.place(c[0], c[1], c[2]);
+        a.side[i] = world.parity(cell) ? -1.f : 1.f;
+        if (a.restHeight)
+            for (const int upper : {0, 1})
+                a.restHeight[upper * a.stride + i] =
+                    static_cast<float>(world.restPosition(kCorners * cell + 2 * upper)[1]);
+        if (a.lawIndex) a.lawIndex[i] = std::max(0, world.lawOf(cell));
+        for (int axis = 0; axis < 3; ++axis)
+            a.strength[axis * a.stride + i] =
+                std::min(world.bondStrength(kBondsPerCell * cell + axis), kUnbreakable);
+    }
+    a.memberCount = 0;
+    for (int corner = 0; corner < kCorners; ++corner) {
+        const int own = corner ^ 7;
+        int count = 0;
+        for (int octant = 0; octant < 8; ++octant) {
+            std::ptrdiff_t offset = 3 * (octant ^ 7) * a.stride;
+            bool possible = true;
+            for (int axis = 0; axis < 3; ++axis) {
+                const int move = (octant >> axis & 1) - (own >> axis & 1);
+                offset += move * a.steps[axis];
+                possible &= move == 0 || a.extent[axis] > 1;
+            }
+            if (possible) a.members[corner][count++] = {1u << octant, offset};
+        }
+        a.memberCount = count;
+    }
+}
+
+}  // namespace sunder::cpu

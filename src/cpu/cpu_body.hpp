@@ -1,0 +1,123 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/world.hpp"
+
+namespace sunder::cpu {
+
+/// Vectors are at most this many floats long; every array is padded to whole ones.
+inline constexpr int kLanes = 16;
+/// Stands for "never": no stress reaches it, and its square is still finite.
+inline constexpr float kUnbreakable = 1e18f;
+
+/// Material constants as the kernels want them.
+struct Law {
+    float lambda, twoMu;  ///< Pa
+    float corotated;      ///< 1, or 0: Green's strain
+    float stressScale;    ///< S = √(E/E_eff)
+    float damageRate;     ///< 1/τ, 1/s
+    float shearWeight, friction;
+    float maxStress;  ///< Pa; kUnbreakable unless fracture = cell
+};
+
+/// Which constants a body's cells need: all the same law, or one law per cell.
+enum class LawKind { Green, Corotated, Mixed };
+
+/// One body's cells as arrays of structures' components: array of component `c` starts at c·stride,
+/// cell i of the body stands at position place(i) in each. x runs fastest and the longer of y and
+/// z slowest, so that all neighbours of a stretch of cells lie within one slice on either side.
+struct BodyArrays {
+    // --- layout ---
+    int index = 0;       ///< in World::bodies()
+    int cells = 0;       ///< of the body, absent ones included
+    int vectors = 0;     ///< cells rounded up to whole kLanes, over kLanes
+    int extent[3] = {};  ///< cells along x, y, z
+    int steps[3] = {};   ///< from a cell to its +x, +y, +z neighbour
+    int reach = 0;       ///< farthest step to a cell around the same lattice point
+    std::ptrdiff_t stride = 0;
+
+    // --- state; [corner·3 + axis][cell] ---
+    float* displacement = nullptr;  ///< m from rest
+    float* velocity = nullptr;      ///< m/s
+    float* damage = nullptr;        ///< [axis][cell], bonds
+    float* slow = nullptr;          ///< Pa, [axis][cell]
+
+    // --- worked out in every step ---
+    float* force = nullptr;   ///< N, [corner·3 + axis][cell], of this copy alone
+    float* stress = nullptr;  ///< Pa, [6·t + component][cell]: T of corner tetrahedron t; xx yy zz
+                              ///< xy yz zx; only with bonds that can break
+    float* over = nullptr;    ///< [cell] 1 where the cell's stress exceeds maxStress; else 0
+
+    // --- constant, or constant until a bond breaks ---
+    float* strength = nullptr;      ///< Pa, [axis][cell]
+    float* side = nullptr;          ///< [cell] +1 or −1 by parity: which way the cell is mirrored
+    float* inverseMass = nullptr;   ///< 1/kg, [corner][cell], of the joined group; 0: does not move
+    float* restHeight = nullptr;    ///< m, [0 lower, 1 upper corners][cell]
+    std::uint8_t* links = nullptr;  ///< [corner][cell], core/links.hpp
+    std::uint8_t* broke = nullptr;  ///< [cell] bits 0–2: bonds broken and not yet in `links`
+    std::int32_t* lawIndex = nullptr;  ///< [cell], only of LawKind::Mixed
+
+    /// The nodes around a lattice point, for the copy at each corner: bit in the link mask, and
+    /// where that node's force lies, from this cell's place in `force`. Octants that the body's
+    /// shape rules out are left away.
+    struct Member {
+        std::uint32_t bit;
+        std::ptrdiff_t offset;
+    };
+    std::array<std::array<Member, 8>, 8> members{};
+    int memberCount = 8;
+
+    LawKind kind = LawKind::Corotated;
+    bool bondsBreak = false, cellsBreak = false;  ///< whether any cell has that fracture mode
+    const Law* laws = nullptr;                    ///< table of all laws
+    Law law{};                                    ///< unless Mixed
+    float inverseCell[3] = {};                    ///< 1/m
+    float forceWeight[3] = {};                    ///< m², volume/(6·edge)
+    float dampingTime = 0;                        ///< b·h, s
+    float step = 0, drag = 0, speedLimit = 0;     ///< s, exp(−d·h), m/s
+    float gravity[3] = {};                        ///< m/s²
+    bool ground = false;
+    float groundFriction = 0;
+
+    int place(int x, int y, int z) const { return x * steps[0] + y * steps[1] + z * steps[2]; }
+};
+
+/// A push that acts in the step in progress.
+struct Push {
+    const std::uint8_t* patch;  ///< [cell] bit per corner: in the patch
+    float acceleration[3];      ///< m/s², weighted with the share of the step
+};
+
+/// Memory for the arrays of one body, aligned and padded. Moves, does not copy.
+class BodyStorage {
+  public:
+    BodyStorage(const World& world, int body, const std::vector<Law>& laws);
+    BodyArrays& arrays() { return arrays_; }
+    const BodyArrays& arrays() const { return arrays_; }
+    std::size_t bytes() const { return bytes_; }
+
+  private:
+    struct Free {
+        void operator()(std::byte* memory) const;
+    };
+    void choose(const World& world);
+    void allocate();
+    void fill(const World& world);
+
+    BodyArrays arrays_;
+    std::unique_ptr<std::byte[], Free> memory_;
+    std::size_t bytes_ = 0;
+};
+
+std::vector<Law> makeLaws(const World& world);
+
+/// Works out link masks and masses of joined groups: everywhere, or around the bonds in `broke`,
+/// which it clears. `nodeMass` is taken from the world.
+void relinkAll(const World& world, BodyArrays& body);
+void relinkBroken(const World& world, BodyArrays& body);
+
+}  // namespace sunder::cpu

@@ -1,0 +1,111 @@
+#include "cpu/cpu_body_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cpu/cpu_solver.hpp"
+
+namespace sunder::cpu {
+
+BodyRun::BodyRun(const World& world, int index, const std::vector<Law>& laws)
+    : world_(world), storage_(world, index, laws), news_(kMaxParts) {
+    const Body& body = world.bodies()[index];
+    const BodyArrays& a = storage_.arrays();
+    for (int event = body.firstEvent; event < body.firstEvent + body.eventCount; ++event) {
+        Patch patch{event, std::vector<std::uint8_t>(static_cast<std::size_t>(a.stride))};
+        for (int node = kCorners * body.firstCell; node < kCorners * (body.firstCell + a.cells);
+             ++node) {
+            const Vec3 rest = world.restPosition(node);
+            if (!insidePatch(world.events()[event], rest.cast<float>())) continue;
+            const IVec3 c = body.coordinates(node / kCorners);
+            auto& bits = patch.corners[a.place(c[0], c[1], c[2])];
+            bits = static_cast<std::uint8_t>(bits | 1 << node % kCorners);
+        }
+        patches_.push_back(std::move(patch));
+    }
+    pushes_.reserve(patches_.size());
+    const double calmSpeed = CpuSolver::kSleepSpeed * body.cellSize.minCoeff();
+    calmSpeed2_ = static_cast<float>(calmSpeed * calmSpeed);
+    sleepSteps_ = static_cast<int>(std::ceil(CpuSolver::kSleepDelay / world.step()));
+}
+
+std::size_t BodyRun::bytes() const {
+    std::size_t sum = storage_.bytes() + sizeof *this + news_.size() * sizeof news_[0];
+    for (const Patch& patch : patches_) sum += patch.corners.size();
+    return sum;
+}
+
+void BodyRun::gatherPushes(std::int64_t step) {
+    pushes_.clear();
+    for (const Patch& patch : patches_) {
+        const Event& event = world_.events()[patch.event];
+        const double weight = event.weight(step);
+        if (weight == 0) continue;
+        const Eigen::Vector3f a = (weight * event.acceleration).cast<float>();
+        pushes_.push_back({patch.corners.data(), {a[0], a[1], a[2]}});
+    }
+}
+
+bool BodyRun::pushedWithin(std::int64_t from, int steps) const {
+    return std::any_of(patches_.begin(), patches_.end(), [&](const Patch& patch) {
+        const Event& event = world_.events()[patch.event];
+        return event.start < static_cast<double>(from + steps) &&
+               event.end > static_cast<double>(from);
+    });
+}
+
+void BodyRun::updateSleep(bool calm) {
+    calmSteps_ = calm ? calmSteps_ + world_.description().fractureInterval : 0;
+    if (calmSteps_ < sleepSteps_) return;
+    asleep_ = true;
+    calmSteps_ = 0;
+    BodyArrays& a = storage_.arrays();
+    std::fill_n(a.velocity, 24 * a.stride, 0.f);
+}
+
+void BodyRun::load(const State& state) {
+    BodyArrays& a = storage_.arrays();
+    const Body& body = world_.bodies()[a.index];
+    for (int cell = 0; cell < a.cells; ++cell) {
+        const IVec3 c = body.coordinates(body.firstCell + cell);
+        const int i = a.place(c[0], c[1], c[2]);
+        for (int corner = 0; corner < kCorners; ++corner)
+            for (int axis = 0; axis < 3; ++axis) {
+                const int node = kCorners * (body.firstCell + cell) + corner;
+                const std::ptrdiff_t at = (3 * corner + axis) * a.stride + i;
+                a.displacement[at] = static_cast<float>(state.displacement[node][axis]);
+                a.velocity[at] = static_cast<float>(state.velocity[node][axis]);
+            }
+        for (int axis = 0; axis < 3; ++axis) {
+            const int bond = kBondsPerCell * (body.firstCell + cell) + axis;
+            a.damage[axis * a.stride + i] = static_cast<float>(state.damage[bond]);
+            a.slow[axis * a.stride + i] = static_cast<float>(state.slow[bond]);
+        }
+    }
+    relinkAll(world_, a);
+    asleep_ = false;
+    calmSteps_ = 0;
+}
+
+void BodyRun::store(State& state) const {
+    const BodyArrays& a = storage_.arrays();
+    const Body& body = world_.bodies()[a.index];
+    for (int cell = 0; cell < a.cells; ++cell) {
+        const IVec3 c = body.coordinates(body.firstCell + cell);
+        const int i = a.place(c[0], c[1], c[2]);
+        for (int corner = 0; corner < kCorners; ++corner)
+            for (int axis = 0; axis < 3; ++axis) {
+                const int node = kCorners * (body.firstCell + cell) + corner;
+                const std::ptrdiff_t at = (3 * corner + axis) * a.stride + i;
+                state.displacement[node][axis] = a.displacement[at];
+                state.velocity[node][axis] = a.velocity[at];
+            }
+        for (int axis = 0; axis < 3; ++axis) {
+            const int bond = kBondsPerCell * (body.firstCell + cell) + axis;
+            state.damage[bond] = a.damage[axis * a.stride + i];
+            state.slow[bond] = a.slow[axis * a.stride + i];
+        }
+    }
+}
+
+}  // namespace sunder::cpu

@@ -1,0 +1,145 @@
+// One step of symplectic Euler for every node, on joined groups, then the ground.
+#include "cpu/simd_targets.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "cpu/cpu_nodes.cpp"
+#include <hwy/foreach_target.h>
+
+#include "cpu/cpu_kernels.hpp"
+#include "cpu/simd_matrix-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace sunder::cpu::HWY_NAMESPACE {
+
+using DI = hn::RebindToUnsigned<D>;
+using DB = hn::Rebind<std::uint8_t, D>;
+using VI = hn::Vec<DI>;
+
+HWY_INLINE VI loadBytes(const std::uint8_t* from) {
+    return hn::PromoteTo(DI(), hn::LoadU(DB(), from));
+}
+
+/// Lanes whose bits and `bit` have one in common.
+HWY_INLINE Mask hasBit(VI bits, std::uint32_t bit) {
+    return hn::RebindMask(d, hn::TestBit(bits, hn::Set(DI(), bit)));
+}
+
+/// Sum of the members' forces in octant order: the same for every member, to the bit.
+template <int kMembers>
+HWY_INLINE Vec3v groupForce(const BodyArrays& body, int corner, int cell, VI links) {
+    const std::ptrdiff_t stride = body.stride;
+    const V zero = hn::Zero(d);
+    Vec3v sum{zero, zero, zero};
+    const float* force = body.force + cell;
+    const auto& members = body.members[corner];
+    const int count = kMembers ? kMembers : body.memberCount;
+    for (int i = 0; i < count; ++i) {
+        const Mask joined = hasBit(links, members[i].bit);
+        const float* from = force + members[i].offset;
+        sum.x = sum.x + hn::IfThenElseZero(joined, hn::LoadU(d, from));
+        sum.y = sum.y + hn::IfThenElseZero(joined, hn::LoadU(d, from + stride));
+        sum.z = sum.z + hn::IfThenElseZero(joined, hn::LoadU(d, from + 2 * stride));
+    }
+    return sum;
+}
+
+/// `squared`: of the speed. The ground takes all of v_y; Coulomb friction takes at most μ times as
+/// much of the rest.
+HWY_INLINE void landOn(const BodyArrays& body, V restHeight, const Vec3v& u, Vec3v& v, Vec3v& next,
+                       V& squared) {
+    const V zero = hn::Zero(d), one = set(1.f);
+    const Mask below = hn::Lt(restHeight + next.y, zero);
+    if (HWY_LIKELY(!any(below))) return;
+    const V tangential = hn::Sqrt(v.x * v.x + v.z * v.z);
+    const V taken = set(body.groundFriction) * hn::Max(zero, zero - v.y);
+    const V kept = hn::IfThenElseZero(hn::Gt(tangential, taken), one - taken / tangential);
+    const V h = set(body.step);
+    v = select(below, Vec3v{kept * v.x, zero, kept * v.z}, v);
+    squared = dot(v, v);
+    next = select(below, Vec3v{u.x + h * v.x, zero - restHeight, u.z + h * v.z}, next);
+}
+
+/// Returns the squared speeds.
+template <int kMembers>
+HWY_INLINE V updateNode(const BodyArrays& body, int corner, int cell,
+                        std::span<const Push> pushes) {
+    const std::ptrdiff_t stride = body.stride;
+    const VI links = loadBytes(body.links + corner * stride + cell);
+    const V inverseMass = hn::Load(d, body.inverseMass + corner * stride + cell);
+    const Vec3v force = groupForce<kMembers>(body, corner, cell, links);
+    Vec3v a = force * inverseMass +
+              Vec3v{set(body.gravity[0]), set(body.gravity[1]), set(body.gravity[2])};
+    for (const Push& push : pushes) {
+        const Mask inside = hasBit(loadBytes(push.patch + cell), 1u << corner);
+        if (!any(inside)) continue;
+        a = {a.x + hn::IfThenElseZero(inside, set(push.acceleration[0])),
+             a.y + hn::IfThenElseZero(inside, set(push.acceleration[1])),
+             a.z + hn::IfThenElseZero(inside, set(push.acceleration[2]))};
+    }
+    float* displacement = body.displacement + 3 * corner * stride + cell;
+    float* velocity = body.velocity + 3 * corner * stride + cell;
+    const Vec3v u = load3(displacement, stride);
+    const V h = set(body.step);
+    Vec3v v = load3(velocity, stride) * set(body.drag) + a * h;
+    const Mask moves = hn::Gt(inverseMass, hn::Zero(d));
+    v = {hn::IfThenElseZero(moves, v.x), hn::IfThenElseZero(moves, v.y),
+         hn::IfThenElseZero(moves, v.z)};
+    V squared = dot(v, v);
+    const Mask fast = hn::Gt(squared, set(body.speedLimit * body.speedLimit));
+    if (HWY_UNLIKELY(any(fast)))
+        v = v * hn::IfThenElse(fast, set(body.speedLimit) / hn::Sqrt(squared), set(1.f));
+    Vec3v next = u + v * h;
+    if (body.ground)
+        landOn(body, hn::Load(d, body.restHeight + (corner >> 1 & 1) * stride + cell), u, v, next,
+               squared);
+    store3(v, velocity, stride);
+    store3(next, displacement, stride);
+    return squared;
+}
+
+template <int kMembers>
+float updateStretch(const BodyArrays& body, int first, int end, std::span<const Push> pushes) {
+    V fastest = hn::Zero(d);
+    for (int cell = first * kLanes; cell < end * kLanes; cell += kWidth)
+        for (int corner = 0; corner < kCorners; ++corner)
+            fastest = hn::Max(fastest, updateNode<kMembers>(body, corner, cell, pushes));
+    return hn::GetLane(hn::MaxOfLanes(d, fastest));
+}
+
+float nodes(const BodyArrays& body, int first, int end, std::span<const Push> pushes) {
+    switch (body.memberCount) {
+        case 8:
+            return updateStretch<8>(body, first, end, pushes);
+        case 4:
+            return updateStretch<4>(body, first, end, pushes);
+        default:
+            return updateStretch<0>(body, first, end, pushes);
+    }
+}
+
+}  // namespace sunder::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace sunder::cpu {
+
+HWY_EXPORT(nodes);
+
+float updateNodes(const BodyArrays& body, int first, int end, std::span<const Push> pushes) {
+    return HWY_DYNAMIC_DISPATCH(nodes)(body, first, end, pushes);
+}
+
+std::span<const std::int64_t> simdTargets() {
+    static const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+    return targets;
+}
+const char* simdTargetName(std::int64_t target) {
+    return hwy::TargetName(target);
+}
+void useSimdTarget(std::int64_t target) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+}  // namespace sunder::cpu
+#endif

@@ -1,0 +1,171 @@
+// The `cpu` solver: the same result from any number of threads and any instruction set; sleeping.
+#include "cpu/cpu_solver.hpp"
+
+#include "catch.hpp"
+#include "core/diagnostics.hpp"
+#include "cpu/cpu_kernels.hpp"
+#include "support/worlds.hpp"
+
+using namespace sunder;
+
+namespace {
+
+EventDescription hit(int body, Vec3 point, Vec3 velocity) {
+    EventDescription event;
+    event.kind = EventDescription::Kind::Velocity;
+    event.body = body;
+    event.point = point;
+    event.radius = 0.25;
+    event.vector = velocity;
+    return event;
+}
+
+/// A wall large enough to be split among threads, thick blocks of both orders of the axes, one of
+/// two materials, and small ones; all hit hard enough to break, crush and invert cells.
+WorldDescription manyBodies() {
+    Material tough = brittle(), whole = brittle(), green = brittle();
+    tough.strength = tough.boundaryStrength = {8e4, 8e4, 8e4};
+    whole.fracture = FractureMode::Cell;
+    whole.maxStress = 8e4;
+    green.law = ConstitutiveLaw::Green;
+    WorldDescription d = block({61, 37, 1}, brittle());
+    d.materials = {brittle(), tough, whole, green};
+    const IVec3 sizes[] = {{7, 5, 3}, {3, 2, 6}, {1, 9, 1}, {5, 5, 1}, {13, 3, 2}};
+    for (int i = 0; i < 5; ++i) {
+        BodyDescription body = d.bodies[0];
+        body.name = "small " + std::to_string(i);
+        body.cells = sizes[i];
+        body.size = Vec3(0.1, 0.08, 0.12).cwiseProduct(sizes[i].cast<double>());
+        body.position = {4. + 2 * i, 0.01 * i, 0};
+        body.material = i % 4;
+        if (i == 0) body.regions = {{{1, 1, 0}, {3, 3, 1}, 2}, {{4, 2, 0}, {6, 4, 2}, 3}};
+        if (i == 1) body.regions = {{{1, 0, 2}, {1, 1, 3}, -1}};
+        d.bodies.push_back(body);
+    }
+    for (int i = 0; i < 6; ++i) d.events.push_back(hit(i, {0, 0.3, 0}, {3, -2, -20}));
+    d.gravity = {0, -9.81, 0};
+    d.ground = true;
+    return d;
+}
+
+}  // namespace
+
+TEST_CASE("any number of threads gives the same bits") {
+    const World world(manyBodies());
+    std::uint64_t expected = 0;
+    std::vector<double> damage;
+    for (const int threads : {1, 2, 7}) {
+        INFO(threads << " threads");
+        CpuSolver solver(world, threads);
+        CHECK(solver.threads() == threads);
+        solver.advance(150);
+        solver.advance(51);
+        const State state = solver.state();
+        if (threads == 1) {
+            expected = stateHash(state);
+            damage = state.damage;
+            const Diagnostics diagnostics = diagnose(world, state);
+            REQUIRE(diagnostics.bondsBroken > 50);
+            REQUIRE(diagnostics.nan == 0);
+        }
+        CHECK(stateHash(state) == expected);
+        CHECK(state.damage == damage);
+    }
+}
+
+TEST_CASE("every instruction set gives the same bits") {
+    const World world(manyBodies());
+    std::uint64_t expected = 0;
+    const std::vector<std::int64_t> targets(cpu::simdTargets().begin(), cpu::simdTargets().end());
+    REQUIRE(!targets.empty());
+    for (const std::int64_t target : targets) {
+        INFO(cpu::simdTargetName(target));
+        cpu::useSimdTarget(target);
+        CpuSolver solver(world, 1);
+        solver.advance(120);
+        const std::uint64_t hash = stateHash(solver.state());
+        if (expected == 0) expected = hash;
+        CHECK(hash == expected);
+    }
+    cpu::useSimdTarget(0);
+}
+
+TEST_CASE("a settled wall falls asleep, does not change by a bit, and a push wakes it") {
+    Material material = brittle();
+    material.damping = 10;
+    WorldDescription d = block({5, 4, 1}, material);
+    BodyDescription other = d.bodies[0];
+    other.position = {2, 0, 0};
+    d.bodies.push_back(other);
+    d.bodies[0].anchors = {Side::Bottom};  // the second one merely stands there
+    d.gravity = {0, -9.81, 0};
+    d.ground = true;
+    d.events = {hit(0, {0, 0.3, 0}, {0, 0, -1})};
+    d.events[0].time = 3.0101;
+    const World world(d);
+    CpuSolver solver(world, 2);
+    CHECK(!solver.asleep(0));
+    solver.advance(7500);  // 2.5 s
+    REQUIRE(solver.asleep(0));
+    REQUIRE(solver.asleep(1));
+    const State asleep = solver.state();
+    for (const Vec3& v : asleep.velocity) CHECK(v == Vec3(0, 0, 0));
+    solver.advance(1530);
+    CHECK(solver.asleep(0));
+    CHECK(stateHash(solver.state()) == stateHash(asleep));
+    CHECK(solver.state().slow == asleep.slow);
+    CHECK(solver.state().step == 9030);
+    solver.advance(10);  // the push starts within step 9030
+    CHECK(!solver.asleep(0));
+    CHECK(solver.asleep(1));
+    const State awake = solver.state();
+    const int half = world.nodeCount() / 2;
+    CHECK(awake.velocity[half - 2] != Vec3(0, 0, 0));
+    for (int node = half; node < world.nodeCount(); ++node) {
+        CHECK(awake.displacement[node] == asleep.displacement[node]);
+        CHECK(awake.velocity[node] == asleep.velocity[node]);
+    }
+    solver.setState(asleep);
+    CHECK(!solver.asleep(1));
+}
+
+TEST_CASE("pieces that fell to the ground fall asleep") {
+    Material material = brittle();
+    material.strength = material.boundaryStrength = {4e3, 4e3, 4e3};
+    WorldDescription d = block({6, 5, 1}, material);
+    d.bodies[0].anchors = {Side::Bottom};
+    d.gravity = {0, -9.81, 0};
+    d.ground = true;
+    d.events = {hit(0, {0, 0.3, 0}, {1, 1, -4})};
+    const World world(d);
+    CpuSolver solver(world);
+    solver.advance(300);
+    CHECK(!solver.asleep(0));
+    for (int second = 0; second < 20 && !solver.asleep(0); ++second) solver.advance(3000);
+    CHECK(solver.asleep(0));
+    CHECK(diagnose(world, solver.state()).pieces > 1);
+}
+
+TEST_CASE("a falling body does not fall asleep") {
+    WorldDescription d = block({2, 2, 2}, softElastic());
+    d.gravity = {0, -9.81, 0};
+    d.bodies[0].position = {0, 100, 0};
+    const World world(d);
+    CpuSolver solver(world);
+    for (int i = 0; i < 20; ++i) {
+        solver.advance(300);
+        CHECK(!solver.asleep(0));
+    }
+}
+
+TEST_CASE("memory stays below 200 bytes a tetrahedron") {
+    WorldDescription small = block({10, 8, 1}, brittle());
+    small.ground = true;
+    small.bodies[0].anchors = {Side::Bottom};
+    small.events = {hit(0, {0, 0.3, 0}, {0, 0, -1})};
+    for (int i = 1; i < 50; ++i) small.bodies.push_back(small.bodies[0]);
+    CHECK(CpuSolver(World(small), 1).bytesPerTetrahedron() < 200);
+    WorldDescription large = block({100, 50, 2}, brittle());
+    large.ground = true;
+    CHECK(CpuSolver(World(large), 2).bytesPerTetrahedron() < 110);
+}
