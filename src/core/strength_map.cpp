@@ -56,7 +56,8 @@ std::uint64_t voronoiCluster(const Vec3& p, const IVec3& spans, std::uint64_t se
             for (int dx = -spans[0]; dx <= spans[0]; ++dx) {
                 const LatticePoint c = base + LatticePoint(dx, dy, dz);
                 const std::uint64_t key = latticeKey(c);
-                const Vec3 jitter(hashUniform(seed, key, 1), hashUniform(seed, key, 2), hashUniform(seed, key, 3));
+                const Vec3 jitter(hashUniform(seed, key, 1), hashUniform(seed, key, 2),
+                                  hashUniform(seed, key, 3));
                 const Vec3 site = c.cast<double>() + jitter.cwiseProduct(spans.cast<double>());
                 const double distance = (p - site).squaredNorm();
                 if (distance < best) {
