@@ -89,7 +89,7 @@ void BodyStorage::choose(const World& world) {
 }
 
 /// One block for all arrays. Each is a whole number of cache lines, and an odd one: at a power of
-/// two the 72 arrays that a step runs through would fall into the same few sets of the cache.
+/// two the arrays that a step runs through would fall into the same few sets of the cache.
 void BodyStorage::allocate() {
     BodyArrays& a = arrays_;
     // Neighbours are read before it is known whether they are there.
@@ -97,40 +97,41 @@ void BodyStorage::allocate() {
     a.stride = roundUp(a.cells, kLanes) + pad;
     if (a.stride / kLanes % 2 == 0) a.stride += kLanes;
     const auto floats = [&](int arrays) { return static_cast<std::size_t>(arrays * a.stride) * 4; };
-    const auto bytes = [&](int arrays) {
-        return static_cast<std::size_t>(roundUp(arrays * a.stride, kAlignment));
+    const auto tiles = [&](int components) {
+        return static_cast<std::size_t>(roundUp(a.vectors * components * kLanes, kAlignment));
     };
     const std::size_t margin = static_cast<std::size_t>(pad) * 4;
 
-    std::byte* next = nullptr;
+    std::byte* start = nullptr;
     const auto take = [&](auto*& array, std::size_t size, bool wanted = true) {
         if (!wanted) return;
-        array = reinterpret_cast<std::remove_reference_t<decltype(array)>>(next);
-        next += size;
+        if (start)
+            array = reinterpret_cast<std::remove_reference_t<decltype(array)>>(start + bytes_);
+        bytes_ += size;
     };
     const auto layOut = [&] {
-        take(a.displacement, floats(24));
-        take(a.velocity, floats(24));
-        next += margin;
-        take(a.force, floats(24));
-        next += margin;
+        take(a.displacement, 4 * tiles(kNodeComponents));
+        take(a.velocity, 4 * tiles(kNodeComponents));
+        bytes_ += margin;
+        take(a.force, floats(kNodeComponents));
+        bytes_ += margin;
         take(a.stress, floats(24) + margin, a.bondsBreak);
         take(a.over, floats(1) + margin, a.cellsBreak);
         take(a.damage, floats(3));
         take(a.slow, floats(3));
         take(a.strength, floats(3));
         take(a.side, floats(1));
-        take(a.inverseMass, floats(8));
+        take(a.inverseMass, 4 * tiles(kCorners));
         take(a.restHeight, floats(2), a.ground);
         take(a.lawIndex, floats(1), a.kind == LawKind::Mixed);
-        take(a.links, bytes(8));
-        take(a.broke, bytes(1));
+        take(a.links, tiles(kCorners));
+        take(a.broke, static_cast<std::size_t>(roundUp(a.stride, kAlignment)));
     };
-    layOut();
-    bytes_ = static_cast<std::size_t>(next - static_cast<std::byte*>(nullptr));
+    layOut();  // how much it is, then where
     memory_.reset(static_cast<std::byte*>(::operator new[](bytes_, std::align_val_t{kAlignment})));
-    std::memset(memory_.get(), 0, bytes_);
-    next = memory_.get();
+    start = memory_.get();
+    std::memset(start, 0, bytes_);
+    bytes_ = 0;
     layOut();
 }
 

@@ -27,9 +27,10 @@ struct Law {
 /// Which constants a body's cells need: all the same law, or one law per cell.
 enum class LawKind { Green, Corotated, Mixed };
 
-/// One body's cells as arrays of structures' components: array of component `c` starts at c·stride,
-/// cell i of the body stands at position place(i) in each. x runs fastest and the longer of y and
-/// z slowest, so that all neighbours of a stretch of cells lie within one slice on either side.
+/// One body's cells as arrays of components. x runs fastest and the longer of y and z slowest, so
+/// that all neighbours of a stretch of cells lie within one slice on either side. What only the
+/// cell itself reads comes in tiles, all components of kLanes cells together, which memory delivers
+/// in one stream; what neighbours read, too, in one array per component, `stride` apart.
 struct BodyArrays {
     // --- layout ---
     int index = 0;       ///< in World::bodies()
@@ -40,9 +41,9 @@ struct BodyArrays {
     int reach = 0;       ///< farthest step to a cell around the same lattice point
     std::ptrdiff_t stride = 0;
 
-    // --- state; [corner·3 + axis][cell] ---
-    float* displacement = nullptr;  ///< m from rest
-    float* velocity = nullptr;      ///< m/s
+    // --- state ---
+    float* displacement = nullptr;  ///< m from rest, tiles of corner·3 + axis
+    float* velocity = nullptr;      ///< m/s, likewise
     float* damage = nullptr;        ///< [axis][cell], bonds
     float* slow = nullptr;          ///< Pa, [axis][cell]
 
@@ -85,6 +86,14 @@ struct BodyArrays {
 
     int place(int x, int y, int z) const { return x * steps[0] + y * steps[1] + z * steps[2]; }
 };
+
+inline constexpr int kNodeComponents = 3 * kCorners;
+
+/// Where component number `component` of `count` stands for a cell in an array of tiles.
+constexpr std::ptrdiff_t tiled(int count, int component, int cell) {
+    return (static_cast<std::ptrdiff_t>(cell / kLanes) * count + component) * kLanes +
+           cell % kLanes;
+}
 
 /// A push that acts in the step in progress.
 struct Push {

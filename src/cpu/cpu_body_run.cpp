@@ -24,6 +24,7 @@ BodyRun::BodyRun(const World& world, int index, const std::vector<Law>& laws)
         patches_.push_back(std::move(patch));
     }
     pushes_.reserve(patches_.size());
+    reach_ = (a.reach + kLanes - 1) / kLanes;
     const double calmSpeed = CpuSolver::kSleepSpeed * body.cellSize.minCoeff();
     calmSpeed2_ = static_cast<float>(calmSpeed * calmSpeed);
     sleepSteps_ = static_cast<int>(std::ceil(CpuSolver::kSleepDelay / world.step()));
@@ -33,6 +34,42 @@ std::size_t BodyRun::bytes() const {
     std::size_t sum = storage_.bytes() + sizeof *this + news_.size() * sizeof news_[0];
     for (const Patch& patch : patches_) sum += patch.corners.size();
     return sum;
+}
+
+BodyRun::Inner BodyRun::inner(int first, int end) const {
+    const int from = first == 0 ? 0 : std::min(end, first + reach_);
+    const int to = end == storage_.arrays().vectors ? end : end - reach_;
+    return {from, std::max(from, to)};
+}
+
+/// Elements of one part, and right behind them its inner nodes: all forces around those are known,
+/// and their state and forces still lie in the cache. (A cell's state is read by the cell alone, so
+/// it may change as soon as its own elements are done.)
+void BodyRun::sweep(int first, int end, int part, bool fracture) {
+    constexpr int block = 8;
+    const auto [from, to] = inner(first, end);
+    int done = from;
+    for (int begin = first; begin < end; begin += block) {
+        const int next = std::min(begin + block, end);
+        updateElements(storage_.arrays(), begin, next, fracture);
+        const int ready = next == end ? to : std::min(to, next - reach_);
+        if (ready <= done) continue;
+        moveNodes(done, ready, part);
+        done = ready;
+    }
+}
+
+/// The nodes that waited for the neighbouring parts.
+void BodyRun::finishNodes(int first, int end, int part) {
+    const auto [from, to] = inner(first, end);
+    moveNodes(first, from, part);
+    moveNodes(to, end, part);
+}
+
+void BodyRun::moveNodes(int first, int end, int part) {
+    if (first == end) return;
+    float& fastest = news_[part].fastest;
+    fastest = std::max(fastest, updateNodes(storage_.arrays(), first, end, pushes_));
 }
 
 void BodyRun::gatherPushes(std::int64_t step) {
@@ -60,7 +97,7 @@ void BodyRun::updateSleep(bool calm) {
     asleep_ = true;
     calmSteps_ = 0;
     BodyArrays& a = storage_.arrays();
-    std::fill_n(a.velocity, 24 * a.stride, 0.f);
+    std::fill_n(a.velocity, kNodeComponents * kLanes * a.vectors, 0.f);
 }
 
 void BodyRun::load(const State& state) {
@@ -72,7 +109,7 @@ void BodyRun::load(const State& state) {
         for (int corner = 0; corner < kCorners; ++corner)
             for (int axis = 0; axis < 3; ++axis) {
                 const int node = kCorners * (body.firstCell + cell) + corner;
-                const std::ptrdiff_t at = (3 * corner + axis) * a.stride + i;
+                const std::ptrdiff_t at = tiled(kNodeComponents, 3 * corner + axis, i);
                 a.displacement[at] = static_cast<float>(state.displacement[node][axis]);
                 a.velocity[at] = static_cast<float>(state.velocity[node][axis]);
             }
@@ -96,7 +133,7 @@ void BodyRun::store(State& state) const {
         for (int corner = 0; corner < kCorners; ++corner)
             for (int axis = 0; axis < 3; ++axis) {
                 const int node = kCorners * (body.firstCell + cell) + corner;
-                const std::ptrdiff_t at = (3 * corner + axis) * a.stride + i;
+                const std::ptrdiff_t at = tiled(kNodeComponents, 3 * corner + axis, i);
                 state.displacement[node][axis] = a.displacement[at];
                 state.velocity[node][axis] = a.velocity[at];
             }

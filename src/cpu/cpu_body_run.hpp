@@ -35,6 +35,14 @@ class BodyRun {
         BondNews bonds;
     };
 
+    void sweep(int first, int end, int part, bool fracture);
+    void finishNodes(int first, int end, int part);
+    void moveNodes(int first, int end, int part);
+    /// The vectors of a part whose nodes touch no other part's cells: from .. to − 1.
+    struct Inner {
+        int from, to;
+    };
+    Inner inner(int first, int end) const;
     void gatherPushes(std::int64_t step);
     bool pushedWithin(std::int64_t from, int steps) const;
     void updateSleep(bool calm);
@@ -44,6 +52,7 @@ class BodyRun {
     std::vector<Patch> patches_;
     std::vector<Push> pushes_;  ///< at work in this step
     std::vector<PartNews> news_;
+    int reach_ = 0;         ///< vectors on either side of one that its nodes' neighbours may lie in
     float calmSpeed2_ = 0;  ///< m²/s²
     int calmSteps_ = 0, sleepSteps_ = 0;
     bool asleep_ = false;
@@ -61,9 +70,9 @@ void BodyRun::advance(std::int64_t from, int steps, const Split& split) {
         if (asleep_) continue;
         const bool check = step % interval == 0, fracture = check && breaks;
         split(body.vectors,
-              [&](int first, int end, int) { updateElements(body, first, end, fracture); });
+              [&](int first, int end, int part) { sweep(first, end, part, fracture); });
         split(body.vectors, [&](int first, int end, int part) {
-            news_[part].fastest = updateNodes(body, first, end, pushes_);
+            finishNodes(first, end, part);
             if (fracture)
                 news_[part].bonds =
                     updateBonds(body, first, end, static_cast<float>(interval) * body.step);

@@ -24,45 +24,45 @@ namespace sunder::cpu::HWY_NAMESPACE {
 /// the stability limit E·(1+2b).
 constexpr float kHotRate = 5.f, kHotStress = 1.2f / 2.f;
 
-/// A field at the ends of the x edge of tetrahedron t.
-struct Ends {
-    Vec3v apex, base;
+/// Corners at one end of the x edges of the four corner tetrahedra.
+struct Corners {
+    Vec3v t0, t1, t2, t3;
 };
 
-/// Gradients of a nodal field: corner tetrahedra, then the central one.
-struct Gradients {
-    Mat3v t0, t1, t2, t3, t4;
-};
-
-template <bool kFlipped>
-HWY_INLINE Ends loadEnds(const float* field, std::ptrdiff_t stride, int t, Mask mirrored) {
-    const Vec3v low = load3(field + 6 * t * stride, stride);
-    const Vec3v high = load3(field + (6 * t + 3) * stride, stride);
-    return kFlipped ? Ends{select(mirrored, high, low), select(mirrored, low, high)}
-                    : Ends{select(mirrored, low, high), select(mirrored, high, low)};
+/// The end of x edge t that is the apex of tetrahedron t (kApex), or the other one. Apexes are
+/// corners 1, 2, 4, 7; in mirrored cells 0, 3, 5, 6.
+template <bool kApex, int kT>
+HWY_INLINE Vec3v loadEnd(const float* tile, Mask mirrored) {
+    constexpr bool high = kApex == (kT == 0 || kT == 3);
+    const Vec3v low = load3(tile + 6 * kT * kLanes, kLanes);
+    const Vec3v up = load3(tile + (6 * kT + 3) * kLanes, kLanes);
+    return high ? select(mirrored, low, up) : select(mirrored, up, low);
 }
 
-/// `scale`: 1/edge times any factor, x with the sign of `side`.
-HWY_INLINE Gradients gradients(const float* field, std::ptrdiff_t stride, Mask mirrored,
-                               const Vec3v& scale) {
-    const Ends e0 = loadEnds<false>(field, stride, 0, mirrored);
-    const Ends e1 = loadEnds<true>(field, stride, 1, mirrored);
-    const Ends e2 = loadEnds<true>(field, stride, 2, mirrored);
-    const Ends e3 = loadEnds<false>(field, stride, 3, mirrored);
-    Gradients g;
-    g.t0 = {(e0.apex - e0.base) * scale.x, (e1.base - e0.apex) * scale.y,
-            (e2.base - e0.apex) * scale.z};
-    g.t1 = {(e1.base - e1.apex) * scale.x, (e1.apex - e0.base) * scale.y,
-            (e3.base - e1.apex) * scale.z};
-    g.t2 = {(e2.base - e2.apex) * scale.x, (e3.base - e2.apex) * scale.y,
-            (e2.apex - e0.base) * scale.z};
-    g.t3 = {(e3.apex - e3.base) * scale.x, (e3.apex - e2.base) * scale.y,
-            (e3.apex - e1.base) * scale.z};
-    const V half = set(0.5f);
-    g.t4 = {((e1.base + e2.base) - (e0.base + e3.base)) * (half * scale.x),
-            ((e1.base - e0.base) + (e3.base - e2.base)) * (half * scale.y),
-            ((e2.base - e0.base) + (e3.base - e1.base)) * (half * scale.z)};
-    return g;
+HWY_INLINE Corners loadBases(const float* tile, Mask mirrored) {
+    return {loadEnd<false, 0>(tile, mirrored), loadEnd<false, 1>(tile, mirrored),
+            loadEnd<false, 2>(tile, mirrored), loadEnd<false, 3>(tile, mirrored)};
+}
+
+/// Gradient of a nodal field in tetrahedron kT (4: the central one). `scale`: 1/edge times any
+/// factor, x with the sign of `side`.
+template <int kT>
+HWY_INLINE Mat3v gradient(const Vec3v& apex, const Corners& base, const Vec3v& scale) {
+    if constexpr (kT == 0)
+        return {(apex - base.t0) * scale.x, (base.t1 - apex) * scale.y, (base.t2 - apex) * scale.z};
+    else if constexpr (kT == 1)
+        return {(base.t1 - apex) * scale.x, (apex - base.t0) * scale.y, (base.t3 - apex) * scale.z};
+    else if constexpr (kT == 2)
+        return {(base.t2 - apex) * scale.x, (base.t3 - apex) * scale.y, (apex - base.t0) * scale.z};
+    else
+        return {(apex - base.t3) * scale.x, (apex - base.t2) * scale.y, (apex - base.t1) * scale.z};
+}
+
+HWY_INLINE Mat3v centralGradient(const Corners& base, const Vec3v& scale) {
+    const Vec3v a = base.t1 - base.t0, b = base.t3 - base.t2;
+    const Vec3v c = base.t2 - base.t0, e = base.t3 - base.t1;
+    const Vec3v half = scale * set(0.5f);
+    return {(a - b) * half.x, (a + b) * half.y, (c + e) * half.z};
 }
 
 HWY_INLINE void addIdentity(Mat3v& m) {
@@ -72,32 +72,36 @@ HWY_INLINE void addIdentity(Mat3v& m) {
     m.z.z = one + m.z.z;
 }
 
-/// Turns F (in) into G = F + b·h·Ḟ (out). `rate`: b·h·Ḟ.
-HWY_INLINE Mask damped(Mat3v& F, Mat3v rate) {
-    addIdentity(F);
-    const Mask hot = hn::Or(hn::Lt(determinant(F), set(0.3f)), hn::Gt(squaredNorm(F), set(6.f)));
+/// G = F + b·h·Ḟ, from F and b·h·Ḟ.
+HWY_INLINE Mat3v damped(const Mat3v& F, Mat3v rate, Mask& hot) {
+    hot = hn::Or(hn::Lt(determinant(F), set(0.3f)), hn::Gt(squaredNorm(F), set(6.f)));
     if (HWY_UNLIKELY(any(hot))) {
         const V factor = hn::IfThenElse(hot, set(kHotRate), set(1.f));
         rate = {rate.x * factor, rate.y * factor, rate.z * factor};
     }
-    F = F + rate;
-    return hot;
+    return F + rate;
 }
 
 struct Elastic {
     V lambda, twoMu, corotated;
 };
 
-/// First Piola–Kirchhoff stress P of A, and its rotation R where the caller wants it.
+HWY_INLINE Mat3v scaleColumns(const Mat3v& m, const Vec3v& s) {
+    return {m.x * s.x, m.y * s.y, m.z * s.z};
+}
+
+/// First Piola–Kirchhoff stress P of A, its columns times `weight`, and the rotation R of A where
+/// the law or `kStress` asks for it.
 template <LawKind kKind, bool kStress>
-HWY_INLINE Mat3v piola(const Mat3v& A, const Elastic& law, Mask hot, Mat3v& R) {
+HWY_INLINE Mat3v piola(const Mat3v& A, const Elastic& law, const Vec3v& weight, Mask hot,
+                       Mat3v& R) {
     Mat3v P;
-    if constexpr (kKind != LawKind::Green || kStress) R = polarNearIdentity(A);
-    if constexpr (kKind != LawKind::Green) {
-        const V dilation = dot(R.x, A.x) + dot(R.y, A.y) + dot(R.z, A.z) - set(3.f);
-        const V pressure = law.lambda * dilation;
-        P = {(A.x - R.x) * law.twoMu + R.x * pressure, (A.y - R.y) * law.twoMu + R.y * pressure,
-             (A.z - R.z) * law.twoMu + R.z * pressure};
+    if constexpr (kKind != LawKind::Green || kStress) {
+        const Polar polar = polarNearIdentity(A);
+        R = polar.R;
+        // 2μ(A − R) + λ·(tr(S) − 3)·R
+        const V pressure = law.lambda * (polar.trace - set(3.f)) - law.twoMu;
+        P = scaleColumns(A, weight * law.twoMu) + scaleColumns(R, weight * pressure);
     }
     if constexpr (kKind != LawKind::Corotated) {
         // Green's strain (thesis, eq. 2.2): E = ½(GᵀG − I), S = 2μE + λ·tr(E)·I, P = G·S.
@@ -110,7 +114,7 @@ HWY_INLINE Mat3v piola(const Mat3v& A, const Elastic& law, Mask hot, Mat3v& R) {
         const Mat3v S{{law.twoMu * xx + pressure, xy, zx},
                       {xy, law.twoMu * yy + pressure, yz},
                       {zx, yz, law.twoMu * zz + pressure}};
-        const Mat3v green = A * S;
+        const Mat3v green = scaleColumns(A * S, weight);
         P = kKind == LawKind::Green ? green : select(hn::Gt(law.corotated, half), P, green);
     }
     if (HWY_UNLIKELY(any(hot))) {
@@ -152,93 +156,144 @@ HWY_INLINE Mask exceeds(const Mat3v& F, const Mat3v& P, V scale, V limit) {
     return hn::Or(hn::Lt(xx, zero), hn::Or(hn::Lt(second, zero), hn::Lt(third, zero)));
 }
 
+/// A stretch of cells in progress: what all its tetrahedra share.
+struct Cells {
+    const BodyArrays& body;
+    int first;
+    Mask mirrored;
+    Vec3v scale;   ///< 1/edge, x with the sign of `side`
+    Vec3v weight;  ///< volume/(6·edge), likewise
+    Elastic law;
+    Corners u, v;   ///< displacements and velocities of the bases
+    Mat3v frame;    ///< turns with the cell
+    Corners force;  ///< on the bases, in that frame
+};
+
 /// What fracture wants of a cell's tetrahedra besides their forces.
 struct StressOutput {
-    const BodyArrays* body;
-    int cell;
     V scale, limit;  ///< S, and what S times the Cauchy stress may be
     Mask over;       ///< some tetrahedron exceeds the limit
 };
 
-/// P of tetrahedron number kT (4: the central one) in the cell's frame, its columns times `weight`.
+/// P of tetrahedron number kT (4: the central one) in the cell's frame, its columns weighted.
 template <LawKind kKind, bool kStress, int kT>
-HWY_INLINE Mat3v tetrahedron(const Mat3v& frame, const Vec3v& weight, const Elastic& law,
-                             const Mat3v& G, Mask hot, [[maybe_unused]] const Mat3v* F,
+HWY_INLINE Mat3v tetrahedron(const Cells& cells, const Mat3v& F, const Mat3v& G, Mask hot,
                              [[maybe_unused]] StressOutput* out) {
-    const Mat3v A = transposeTimes(frame, G);
+    const Mat3v A = transposeTimes(cells.frame, G);
     Mat3v R;
-    const Mat3v P = piola<kKind, kStress>(A, law, hot, R);
+    const Mat3v P = piola<kKind, kStress>(A, cells.law, cells.weight, hot, R);
     if constexpr (kStress) {
-        const BodyArrays& body = *out->body;
+        const BodyArrays& body = cells.body;
+        const V one = set(1.f);
+        const Mat3v plain =
+            scaleColumns(P, {one / cells.weight.x, one / cells.weight.y, one / cells.weight.z});
         if (kT < 4 && body.bondsBreak)
-            storeBiot(R, P, body.stress + 6 * kT * body.stride + out->cell, body.stride);
+            storeBiot(R, plain, body.stress + 6 * kT * body.stride + cells.first, body.stride);
         if (body.cellsBreak)
-            out->over =
-                hn::Or(out->over, exceeds(transposeTimes(frame, *F), P, out->scale, out->limit));
+            out->over = hn::Or(
+                out->over, exceeds(transposeTimes(cells.frame, F), plain, out->scale, out->limit));
     }
-    return {P.x * weight.x, P.y * weight.y, P.z * weight.z};
+    return P;
+}
+
+/// Works out a corner tetrahedron; returns the force on its apex and adds those on the bases.
+template <LawKind kKind, bool kStress, int kT>
+HWY_INLINE Vec3v cornerTetrahedron(Cells& cells, StressOutput* out) {
+    const BodyArrays& body = cells.body;
+    const std::ptrdiff_t tile = tiled(kNodeComponents, 0, cells.first);
+    const Vec3v u = loadEnd<true, kT>(body.displacement + tile, cells.mirrored);
+    const Vec3v v = loadEnd<true, kT>(body.velocity + tile, cells.mirrored);
+    Mat3v F = gradient<kT>(u, cells.u, cells.scale);
+    addIdentity(F);
+    Mask hot;
+    const Mat3v G = damped(F, gradient<kT>(v, cells.v, cells.scale * set(body.dampingTime)), hot);
+    const Mat3v P = tetrahedron<kKind, kStress, kT>(cells, F, G, hot, out);
+    // −V·P·∇N: the columns of P, weighted, pull at the ends of the edges that F's columns are made
+    // of, with the opposite sign.
+    Corners& f = cells.force;
+    if constexpr (kT == 0) {
+        f.t0 = f.t0 + P.x;
+        f.t1 = f.t1 - P.y;
+        f.t2 = f.t2 - P.z;
+        return (P.y + P.z) - P.x;
+    } else if constexpr (kT == 1) {
+        f.t0 = f.t0 + P.y;
+        f.t1 = f.t1 - P.x;
+        f.t3 = f.t3 - P.z;
+        return (P.x + P.z) - P.y;
+    } else if constexpr (kT == 2) {
+        f.t0 = f.t0 + P.z;
+        f.t2 = f.t2 - P.x;
+        f.t3 = f.t3 - P.y;
+        return (P.x + P.y) - P.z;
+    } else {
+        f.t1 = f.t1 + P.z;
+        f.t2 = f.t2 + P.y;
+        f.t3 = f.t3 + P.x;
+        const V zero = hn::Zero(d);
+        return Vec3v{zero, zero, zero} - ((P.x + P.y) + P.z);
+    }
+}
+
+/// The central tetrahedron; also chooses the cell's frame.
+template <LawKind kKind, bool kStress>
+HWY_INLINE void centralTetrahedron(Cells& cells, StressOutput* out) {
+    Mat3v F = centralGradient(cells.u, cells.scale);
+    addIdentity(F);
+    Mask hot;
+    const Mat3v G =
+        damped(F, centralGradient(cells.v, cells.scale * set(cells.body.dampingTime)), hot);
+    cells.frame = gramSchmidt(G);
+    const Mat3v P = tetrahedron<kKind, kStress, 4>(cells, F, G, hot, out);
+    cells.force = {(P.x + P.y) + P.z, P.z - (P.x + P.y), P.y - (P.x + P.z), P.x - (P.y + P.z)};
 }
 
 /// Turns the forces on the ends of an x edge back into the world.
-template <bool kFlipped>
-HWY_INLINE void storeEnds(const Mat3v& frame, const Vec3v& apex, const Vec3v& base, Mask mirrored,
-                          float* force, std::ptrdiff_t stride, int t) {
-    const Mask apexIsLow = kFlipped ? hn::Not(mirrored) : mirrored;
-    const Vec3v a = frame * apex, b = frame * base;
-    store3(select(apexIsLow, a, b), force + 6 * t * stride, stride);
-    store3(select(apexIsLow, b, a), force + (6 * t + 3) * stride, stride);
+template <int kT>
+HWY_INLINE void storeEnds(const Cells& cells, const Vec3v& apex, const Vec3v& base) {
+    const std::ptrdiff_t stride = cells.body.stride;
+    float* force = cells.body.force + cells.first + 6 * kT * stride;
+    constexpr bool high = kT == 0 || kT == 3;
+    const Vec3v a = cells.frame * apex, b = cells.frame * base;
+    const Vec3v &usually = high ? b : a, &mirrored = high ? a : b;
+    store3(select(cells.mirrored, mirrored, usually), force, stride);
+    store3(select(cells.mirrored, usually, mirrored), force + 3 * stride, stride);
 }
 
 template <LawKind kKind, bool kStress>
-HWY_INLINE void updateCells(const BodyArrays& body, int cell) {
-    const std::ptrdiff_t stride = body.stride;
-    const V side = hn::Load(d, body.side + cell);
+HWY_INLINE void updateCells(const BodyArrays& body, int first) {
+    const V side = hn::Load(d, body.side + first);
     const Mask mirrored = hn::Lt(side, hn::Zero(d));
-    const Vec3v scale{side * set(body.inverseCell[0]), set(body.inverseCell[1]),
-                      set(body.inverseCell[2])};
-    Gradients g = gradients(body.displacement + cell, stride, mirrored, scale);
-    const Gradients rate =
-        gradients(body.velocity + cell, stride, mirrored, scale * set(body.dampingTime));
-    const LawLookup lookup{&body, cell};
-    const Elastic law{lookup(&Law::lambda), lookup(&Law::twoMu), lookup(&Law::corotated)};
+    const LawLookup lookup{&body, first};
+    Cells cells{
+        body,
+        first,
+        mirrored,
+        {side * set(body.inverseCell[0]), set(body.inverseCell[1]), set(body.inverseCell[2])},
+        {side * set(body.forceWeight[0]), set(body.forceWeight[1]), set(body.forceWeight[2])},
+        {lookup(&Law::lambda), lookup(&Law::twoMu), lookup(&Law::corotated)},
+        loadBases(body.displacement + tiled(kNodeComponents, 0, first), mirrored),
+        loadBases(body.velocity + tiled(kNodeComponents, 0, first), mirrored),
+        {},
+        {}};
     StressOutput* out = nullptr;
-    [[maybe_unused]] StressOutput stressOutput;
-    [[maybe_unused]] Gradients F;
+    [[maybe_unused]] StressOutput stress;
     if constexpr (kStress) {
-        stressOutput = {&body, cell, lookup(&Law::stressScale), lookup(&Law::maxStress),
-                        hn::Lt(side, side)};
-        out = &stressOutput;
-        F = g;
-        for (Mat3v* m : {&F.t0, &F.t1, &F.t2, &F.t3, &F.t4}) addIdentity(*m);
+        stress = {lookup(&Law::stressScale), lookup(&Law::maxStress), hn::Lt(side, side)};
+        out = &stress;
     }
-    const Mask hot0 = damped(g.t0, rate.t0), hot1 = damped(g.t1, rate.t1),
-               hot2 = damped(g.t2, rate.t2), hot3 = damped(g.t3, rate.t3),
-               hot4 = damped(g.t4, rate.t4);
-    const Mat3v frame = gramSchmidt(g.t4);
-    const Vec3v weight{side * set(body.forceWeight[0]), set(body.forceWeight[1]),
-                       set(body.forceWeight[2])};
-
-    // −V·P·∇N: the columns of P, weighted, pull at the ends of the edges that F's columns are made
-    // of (gradients() above), with the opposite sign.
-    const Mat3v c = tetrahedron<kKind, kStress, 4>(frame, weight, law, g.t4, hot4, &F.t4, out);
-    const Mat3v p0 = tetrahedron<kKind, kStress, 0>(frame, weight, law, g.t0, hot0, &F.t0, out);
-    const Mat3v p1 = tetrahedron<kKind, kStress, 1>(frame, weight, law, g.t1, hot1, &F.t1, out);
-    const Mat3v p2 = tetrahedron<kKind, kStress, 2>(frame, weight, law, g.t2, hot2, &F.t2, out);
-    const Mat3v p3 = tetrahedron<kKind, kStress, 3>(frame, weight, law, g.t3, hot3, &F.t3, out);
-
-    float* force = body.force + cell;
-    storeEnds<false>(frame, (p0.y + p0.z) - p0.x, ((c.x + c.y) + c.z) + ((p0.x + p1.y) + p2.z),
-                     mirrored, force, stride, 0);
-    storeEnds<true>(frame, (p1.x + p1.z) - p1.y, (c.z - (c.x + c.y)) - ((p1.x + p0.y) - p3.z),
-                    mirrored, force, stride, 1);
-    storeEnds<true>(frame, (p2.x + p2.y) - p2.z, (c.y - (c.x + c.z)) - ((p2.x + p0.z) - p3.y),
-                    mirrored, force, stride, 2);
-    const V zero = hn::Zero(d);
-    storeEnds<false>(frame, Vec3v{zero, zero, zero} - ((p3.x + p3.y) + p3.z),
-                     (c.x - (c.y + c.z)) + (p3.x - (p2.y + p1.z)), mirrored, force, stride, 3);
+    centralTetrahedron<kKind, kStress>(cells, out);
+    const Vec3v apex0 = cornerTetrahedron<kKind, kStress, 0>(cells, out);
+    const Vec3v apex1 = cornerTetrahedron<kKind, kStress, 1>(cells, out);
+    const Vec3v apex2 = cornerTetrahedron<kKind, kStress, 2>(cells, out);
+    const Vec3v apex3 = cornerTetrahedron<kKind, kStress, 3>(cells, out);
+    storeEnds<0>(cells, apex0, cells.force.t0);
+    storeEnds<1>(cells, apex1, cells.force.t1);
+    storeEnds<2>(cells, apex2, cells.force.t2);
+    storeEnds<3>(cells, apex3, cells.force.t3);
     if constexpr (kStress) {
         if (body.cellsBreak)
-            hn::Store(hn::IfThenElseZero(out->over, set(1.f)), d, body.over + cell);
+            hn::Store(hn::IfThenElseZero(out->over, set(1.f)), d, body.over + first);
     }
 }
 

@@ -48,9 +48,9 @@ void relinkPoint(const World& world, BodyArrays& a, const LinkTable& table, int 
             mass += world.nodeMass(node);
             anchored |= world.anchored(node);
         }
-        a.links[corner * a.stride + places[octant]] = mask;
-        a.inverseMass[corner * a.stride + places[octant]] =
-            anchored || mass == 0 ? 0.f : static_cast<float>(1 / mass);
+        const std::ptrdiff_t at = tiled(kCorners, corner, places[octant]);
+        a.links[at] = mask;
+        a.inverseMass[at] = anchored || mass == 0 ? 0.f : static_cast<float>(1 / mass);
     }
 }
 

@@ -63,9 +63,8 @@ HWY_INLINE void landOn(const BodyArrays& body, V restHeight, const Vec3v& u, Vec
 template <int kMembers>
 HWY_INLINE V updateNode(const BodyArrays& body, int corner, int cell,
                         std::span<const Push> pushes) {
-    const std::ptrdiff_t stride = body.stride;
-    const VI links = loadBytes(body.links + corner * stride + cell);
-    const V inverseMass = hn::Load(d, body.inverseMass + corner * stride + cell);
+    const VI links = loadBytes(body.links + tiled(kCorners, corner, cell));
+    const V inverseMass = hn::Load(d, body.inverseMass + tiled(kCorners, corner, cell));
     const Vec3v force = groupForce<kMembers>(body, corner, cell, links);
     Vec3v a = force * inverseMass +
               Vec3v{set(body.gravity[0]), set(body.gravity[1]), set(body.gravity[2])};
@@ -76,11 +75,12 @@ HWY_INLINE V updateNode(const BodyArrays& body, int corner, int cell,
              a.y + hn::IfThenElseZero(inside, set(push.acceleration[1])),
              a.z + hn::IfThenElseZero(inside, set(push.acceleration[2]))};
     }
-    float* displacement = body.displacement + 3 * corner * stride + cell;
-    float* velocity = body.velocity + 3 * corner * stride + cell;
-    const Vec3v u = load3(displacement, stride);
+    const std::ptrdiff_t at = tiled(kNodeComponents, 3 * corner, cell);
+    float* displacement = body.displacement + at;
+    float* velocity = body.velocity + at;
+    const Vec3v u = load3(displacement, kLanes);
     const V h = set(body.step);
-    Vec3v v = load3(velocity, stride) * set(body.drag) + a * h;
+    Vec3v v = load3(velocity, kLanes) * set(body.drag) + a * h;
     const Mask moves = hn::Gt(inverseMass, hn::Zero(d));
     v = {hn::IfThenElseZero(moves, v.x), hn::IfThenElseZero(moves, v.y),
          hn::IfThenElseZero(moves, v.z)};
@@ -90,10 +90,10 @@ HWY_INLINE V updateNode(const BodyArrays& body, int corner, int cell,
         v = v * hn::IfThenElse(fast, set(body.speedLimit) / hn::Sqrt(squared), set(1.f));
     Vec3v next = u + v * h;
     if (body.ground)
-        landOn(body, hn::Load(d, body.restHeight + (corner >> 1 & 1) * stride + cell), u, v, next,
-               squared);
-    store3(v, velocity, stride);
-    store3(next, displacement, stride);
+        landOn(body, hn::Load(d, body.restHeight + (corner >> 1 & 1) * body.stride + cell), u, v,
+               next, squared);
+    store3(v, velocity, kLanes);
+    store3(next, displacement, kLanes);
     return squared;
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "cpu/cpu_body_run.hpp"
+#include "cpu/flush_denormals.hpp"
 
 namespace sunder {
 namespace {
@@ -60,6 +61,7 @@ CpuSolver::~CpuSolver() = default;
 void CpuSolver::advance(int steps) {
     Runner& runner = *runner_;
     const auto alone = [&](cpu::BodyRun& run) {
+        const cpu::FlushDenormals flush;
         run.advance(step_, steps, [](int vectors, const auto& work) { work(0, vectors, 0); });
     };
     const auto together = [&](cpu::BodyRun& run) {
@@ -69,6 +71,7 @@ void CpuSolver::advance(int steps) {
             tbb::parallel_for(
                 tbb::blocked_range<int>(0, parts, 1),
                 [&](const tbb::blocked_range<int>& range) {
+                    const cpu::FlushDenormals flush;
                     for (int part = range.begin(); part < range.end(); ++part)
                         work(vectors * part / parts, vectors * (part + 1) / parts, part);
                 },

@@ -86,9 +86,15 @@ struct Turn {
     }
 };
 
+struct Polar {
+    Mat3v R;
+    V trace;  ///< of S = RᵀA
+};
+
 /// For the lanes in `todo`: the iteration of glsl/physics/polar.glsl, safe for any matrix (Newton
-/// where that is safe; else the step of Müller et al. 2016).
-HWY_NOINLINE Mat3v polarOfAny(const Mat3v& A, Mask todo, const Mat3v& others) {
+/// where that is safe; else the step of Müller et al. 2016). Takes copies: a matrix whose address
+/// is given away would live in memory on the usual way, too.
+HWY_NOINLINE Polar polarOfAny(Mat3v A, Mask todo, Polar others) {
     Mat3v R = gramSchmidt(A);
     Mask moving = todo;
     for (int i = 0; i < 12 && any(moving); ++i) {
@@ -98,33 +104,35 @@ HWY_NOINLINE Mat3v polarOfAny(const Mat3v& A, Mask todo, const Mat3v& others) {
         R = select(moving, R * smallRotation(w), R);
         moving = hn::AndNot(hn::Lt(dot(w, w), set(1e-14f)), moving);
     }
-    return select(todo, R, others);
+    const V trace = dot(R.x, A.x) + dot(R.y, A.y) + dot(R.z, A.z);
+    return {select(todo, R, others.R), hn::IfThenElse(todo, trace, others.trace)};
 }
 
 /// Rotation of A. Meant for A near the identity, as in a frame that turns along.
 ///
 /// The Cayley rotation by w makes RᵀA symmetric exactly where (tr(S)·I − S)·w = k − ¼(k·w)·w:
 /// Newton's equation and a small term. So the matrix is inverted once and w found by fixed-point
-/// iteration, each turn of which gains a factor of about ½|w|².
-HWY_INLINE Mat3v polarNearIdentity(const Mat3v& A) {
+/// iteration, each turn of which gains a factor of about ½|w|². The same algebra gives
+/// tr(RᵀA) = tr(A) + ½k·w.
+HWY_INLINE Polar polarNearIdentity(const Mat3v& A) {
     const Turn turn(A);
     const V quarter = set(0.25f);
     const Vec3v first = turn.solve(turn.k);
     Vec3v w = turn.solve(turn.k - first * (quarter * dot(turn.k, first)));
     const V size = dot(w, w);
     // Below 0.03 rad the second w is right to 1e-8 already.
-    Mask moving = hn::Not(hn::Lt(size, set(1e-3f)));
+    Mask easy = turn.safe;
+    const Mask moving = hn::Not(hn::Lt(size, set(1e-3f)));
     if (HWY_UNLIKELY(any(moving))) {
         for (int i = 0; i < 6; ++i) {
             const Vec3v next = turn.solve(turn.k - w * (quarter * dot(turn.k, w)));
             w = select(moving, next, w);
         }
-        const Mask easy = hn::And(turn.safe, hn::Lt(size, set(0.1f)));
-        const Mat3v R = smallRotation(w);
-        return hn::AllTrue(d, easy) ? R : polarOfAny(A, hn::Not(easy), R);
+        easy = hn::And(easy, hn::Lt(size, set(0.1f)));
     }
-    const Mat3v R = smallRotation(w);
-    return hn::AllTrue(d, turn.safe) ? R : polarOfAny(A, hn::Not(turn.safe), R);
+    const Polar usual{smallRotation(w), turn.trace + set(0.5f) * dot(turn.k, w)};
+    if (HWY_LIKELY(hn::AllTrue(d, easy))) return usual;
+    return polarOfAny(A, hn::Not(easy), usual);
 }
 
 }  // namespace sunder::cpu::HWY_NAMESPACE
