@@ -8,7 +8,8 @@ layout(triangle_strip, max_vertices = 4) out;
 layout(std140) uniform ElementLaws {
     ElementLaw laws[SUNDER_MAX_ELEMENT_LAWS];
 };
-uniform samplerBuffer nodes;
+uniform samplerBuffer displacements;
+uniform int displacementStride;  // texels from one node's to the next
 uniform samplerBuffer rest;
 uniform mat4 viewProjection;
 
@@ -31,7 +32,7 @@ flat out float diagonalSlope;  // +1: the diagonal is x = y; -1: it is x + y = 1
 
 vec3 cornerPosition(int corner) {
     int node = 8 * cell[0] + corner;
-    return texelFetch(rest, node).xyz + texelFetch(nodes, 2 * node).xyz;
+    return texelFetch(rest, node).xyz + texelFetch(displacements, displacementStride * node).xyz;
 }
 
 #ifndef DEPTH_ONLY

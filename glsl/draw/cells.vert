@@ -5,7 +5,8 @@
 
 uniform usamplerBuffer cells;
 uniform samplerBuffer bodies;
-uniform samplerBuffer bonds;
+uniform samplerBuffer damage;  // of the bonds that each cell owns
+uniform int damageStride;      // texels from one cell's to the next
 
 flat out int cell;
 flat out int face;           // 2·axis + side, side 1 on the positive side; −1: nothing to be seen
@@ -28,7 +29,7 @@ int bondBeyond(int f, int c, ivec3 place, ivec3 size) {
     if (place[axis] == (positive ? size[axis] - 1 : 0)) return NO_NEIGHBOUR;
     int stride = axis == 0 ? 1 : axis == 1 ? size.x : size.x * size.y;
     int neighbour = positive ? c + stride : c - stride;
-    if (texelFetch(bonds, 2 * (positive ? c : neighbour))[axis] < 1.0) return HOLDS;
+    if (texelFetch(damage, damageStride * (positive ? c : neighbour))[axis] < 1.0) return HOLDS;
     return lawOf(neighbour) == SUNDER_ABSENT ? NO_NEIGHBOUR : BROKEN;
 }
 

@@ -14,6 +14,4 @@ uint linkMask(uvec3 held, int octant) {
 }
 
 // Link mask of corner 0..7 out of a LinkRecord's masks.
-uint linkMaskOf(uvec4 masks, int corner) {
-    return (corner < 4 ? masks.x : masks.y) >> uint(8 * (corner & 3)) & 255u;
-}
+uint linkMaskOf(vec4 masks, int corner) { return uint(masks[corner >> 1]) >> uint(8 * (corner & 1)) & 255u; }

@@ -4,7 +4,7 @@
 #include "scatter/textures.glsl"
 
 uniform sampler2D forces;      // rgb: N; a: inverse mass of this copy, 0 where anchored
-uniform usamplerBuffer links;  // LinkRecord
+uniform samplerBuffer links;  // LinkRecord
 uniform float targetHeight;
 
 out vec4 cumulative;  // rgb: N, of the joined group; a: its inverse mass, 0 where anchored

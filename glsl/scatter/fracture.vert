@@ -1,8 +1,13 @@
-// The fracture update on the scatter solver's stress texture.
+// Fracture update (thesis, figure 7.3): one vertex per cell, the state fed back by transform feedback.
 #include "physics/fracture.glsl"
 #include "scatter/textures.glsl"
 
 uniform sampler2D stresses;
+
+in vec4 damage;  // of the three bonds this cell owns
+in vec4 slow;    // Pa
+out vec4 newDamage;
+out vec4 newSlow;
 
 vec4 stressTexel(int cell, int tetrahedron, int texel) {
     return texelFetch(stresses, texelAddress(SUNDER_STRESS_TEXELS * (5 * cell + tetrahedron) + texel), 0);
@@ -18,4 +23,11 @@ mat3 biot(int cell, int tetrahedron) {
     vec3 n = stressTexel(cell, tetrahedron, SUNDER_STRESS_NORMAL).xyz;
     vec3 s = stressTexel(cell, tetrahedron, SUNDER_STRESS_SHEAR).xyz;
     return mat3(n.x, s.x, s.z, s.x, n.y, s.y, s.z, s.y, n.z);
+}
+
+void main() {
+    vec3 d = damage.xyz, s = slow.xyz;
+    updateBonds(gl_VertexID, d, s);
+    newDamage = vec4(d, 0.0);
+    newSlow = vec4(s, 0.0);
 }

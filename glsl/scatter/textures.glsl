@@ -1,13 +1,11 @@
 // Addresses in the scatter solver's float textures.
-#include "shared/layout.h"
+#include "physics/lattice.glsl"
 
 // Texels per tetrahedron in the stress texture: (eigenvector, eigenvalue), (T_xx, T_yy, T_zz, –), (T_xy, T_yz, T_zx, –).
 #define SUNDER_STRESS_TEXELS 3
 #define SUNDER_STRESS_PRINCIPAL 0
 #define SUNDER_STRESS_NORMAL 1
 #define SUNDER_STRESS_SHEAR 2
-
-ivec2 texelAddress(int index) { return ivec2(index % SUNDER_TEXTURE_WIDTH, index / SUNDER_TEXTURE_WIDTH); }
 
 // Clip-space position whose point covers exactly the texel `index` of a target `height` rows high.
 vec4 texelPosition(int index, float height) {

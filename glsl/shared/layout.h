@@ -52,9 +52,9 @@ struct BondRecord {
     vec4 slow;   // slow part of their tractions, Pa; w: 0
 };
 
-// One cell's joints, written by transform feedback whenever bonds may have broken; read as three RGBA32UI texels.
+// One cell's joints, written whenever bonds may have broken: three texels, or three layers of a texture.
 struct LinkRecord {
-    uvec4 masks;           // x: link masks of corners 0-3, eight bits each; y: of corners 4-7; zw: 0
+    vec4 masks;            // link masks of corners 0 and 1 (mask 0 + 256 * mask 1), of 2 and 3, 4 and 5, 6 and 7
     vec4 inverseMassLow;   // 1/kg of the groups that corners 0-3 belong to; 0 where anchored or no cell is
     vec4 inverseMassHigh;  // of corners 4-7
 };

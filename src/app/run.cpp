@@ -86,7 +86,7 @@ void checkWritable(const fs::path& path, const fs::path& out) {
 /// Draws frames into DIR/frame_0000.png, … .
 class FrameWriter {
   public:
-    FrameWriter(const Scene& scene, const World& world, const Solver& solver,
+    FrameWriter(const Scene& scene, const World& world, Solver& solver,
                 const gpu::WorldBuffers& buffers, RenderSettings settings, fs::path folder)
         : camera_(scene.camera),
           renderer_(world, buffers),

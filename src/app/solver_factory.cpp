@@ -35,14 +35,14 @@ std::unique_ptr<Solver> makeSolver(const SolverInfo& info, const World& world,
     return std::make_unique<ReferenceSolver>(world);
 }
 
-SolverView::SolverView(const World& world, const Solver& solver) : solver_(solver) {
+SolverView::SolverView(const World& world, Solver& solver) : solver_(solver) {
     if (!dynamic_cast<const gpu::GpuSolver*>(&solver))
         upload_ = std::make_unique<gpu::StateUpload>(world);
 }
 
 gpu::StateView SolverView::view() {
     if (upload_) return upload_->upload(solver_.state());
-    return dynamic_cast<const gpu::GpuSolver&>(solver_).view();
+    return dynamic_cast<gpu::GpuSolver&>(solver_).view();
 }
 
 }  // namespace sunder::app

@@ -25,11 +25,11 @@ std::unique_ptr<Solver> makeSolver(const SolverInfo&, const World& world,
 /// upload.
 class SolverView {
   public:
-    SolverView(const World&, const Solver&);
+    SolverView(const World&, Solver&);
     gpu::StateView view();
 
   private:
-    const Solver& solver_;
+    Solver& solver_;
     std::unique_ptr<gpu::StateUpload> upload_;
 };
 

@@ -254,6 +254,13 @@ void World::makeEvents() {
     }
 }
 
+bool World::breakable() const {
+    const auto finite = [](auto value) { return std::isfinite(value); };
+    return std::any_of(bondStrength_.begin(), bondStrength_.end(), finite) ||
+           std::any_of(laws_.begin(), laws_.end(),
+                       [](const ElementLaw& law) { return std::isfinite(law.maxStress); });
+}
+
 State World::initialState() const {
     State state;
     state.displacement.assign(nodeCount(), Vec3::Zero());

@@ -179,6 +179,9 @@ class World {
     /// Pa; infinite where nothing but whole-cell fracture can break the bond.
     float bondStrength(int bond) const { return bondStrength_[bond]; }
 
+    /// Whether anything in this world can break at all.
+    bool breakable() const;
+
     State initialState() const;
 
   private:

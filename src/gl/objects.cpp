@@ -174,7 +174,12 @@ Texture makeBufferTexture(const Buffer& buffer, GLenum format, const char* what)
     return texture;
 }
 
-Texture makeTexture2D(int width, int height, GLenum format, const char* what) {
+namespace {
+
+/// Storage of a texture of `target`, which `define` (called with it bound) lays out.
+template <class Define>
+Texture makeTexture(GLenum target, int width, int height, int layers, GLenum format,
+                    const char* what, Define define) {
     const GLint most = limit(GL_MAX_TEXTURE_SIZE);
     if (width < 1 || height < 1 || width > most || height > most)
         throw InputError("the " + std::string(what) + " would be " + std::to_string(width) + " x " +
@@ -184,21 +189,36 @@ Texture makeTexture2D(int width, int height, GLenum format, const char* what) {
     GLuint id = 0;
     glGenTextures(1, &id);
     Texture texture(id);
-    glBindTexture(GL_TEXTURE_2D, id);
+    glBindTexture(target, id);
     const std::size_t bytes = std::size_t{pixel.bytes} * static_cast<std::size_t>(width) *
-                              static_cast<std::size_t>(height);
-    allocate(what, static_cast<double>(bytes), [&] {
-        glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, pixel.format,
-                     pixel.type, nullptr);
-    });
+                              static_cast<std::size_t>(height) * static_cast<std::size_t>(layers);
+    allocate(what, static_cast<double>(bytes), [&] { define(pixel); });
     textureAllocations().add(id, bytes);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glBindTexture(GL_TEXTURE_2D, 0);
+    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glBindTexture(target, 0);
     return texture;
+}
+
+}  // namespace
+
+Texture makeTexture2D(int width, int height, GLenum format, const char* what) {
+    return makeTexture(GL_TEXTURE_2D, width, height, 1, format, what,
+                       [&](const PixelFormat& pixel) {
+                           glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height,
+                                        0, pixel.format, pixel.type, nullptr);
+                       });
+}
+
+Texture makeTextureArray(int width, int height, int layers, GLenum format, const char* what) {
+    return makeTexture(GL_TEXTURE_2D_ARRAY, width, height, layers, format, what,
+                       [&](const PixelFormat& pixel) {
+                           glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(format), width,
+                                        height, layers, 0, pixel.format, pixel.type, nullptr);
+                       });
 }
 
 void bindTexture(int unit, GLenum target, const Texture& texture) {

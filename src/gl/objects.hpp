@@ -82,6 +82,8 @@ Texture makeBufferTexture(const Buffer& buffer, GLenum format, const char* what)
 /// `what`, when a side is not within 1 to GL_MAX_TEXTURE_SIZE or the device has no memory for it.
 /// Leaves the active unit's 2D texture unbound.
 Texture makeTexture2D(int width, int height, GLenum format, const char* what);
+/// The same with `layers` layers (a 2D array texture).
+Texture makeTextureArray(int width, int height, int layers, GLenum format, const char* what);
 
 /// Binds a texture to a unit, which becomes the active one.
 void bindTexture(int unit, GLenum target, const Texture&);

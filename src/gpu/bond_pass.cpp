@@ -7,34 +7,22 @@
 
 namespace sunder::gpu {
 
-BondPass::BondPass(const World& world, const char* fractureShader)
+BondPass::BondPass(const World& world)
     : cellCount_(world.cellCount()),
-      fractureProgram_({.vertex = fractureShader,
+      fractureProgram_({.vertex = "scatter/fracture.vert",
                         .feedback = {"newDamage", "newSlow"},
-                        .attributes = {{"damage", 0}, {"slow", 1}, {"strength", 2}}}),
-      linkProgram_({.vertex = "physics/links.vert",
+                        .attributes = {{"damage", 0}, {"slow", 1}}}),
+      linkProgram_({.vertex = "scatter/links.vert",
                     .feedback = {"newMasks", "newInverseMassLow", "newInverseMassHigh"}}),
       linkBuffer_(sizeof(LinkRecord) * world.cellCount(), nullptr, GL_DYNAMIC_COPY, "links"),
-      linkTexture_(gl::makeBufferTexture(linkBuffer_, GL_RGBA32UI, "links")),
+      linkTexture_(gl::makeBufferTexture(linkBuffer_, GL_RGBA32F, "links")),
       bonds_{{{BondBuffer(world), gl::makeVertexArray()},
               {BondBuffer(world), gl::makeVertexArray()}}} {
-    std::vector<vec4> strengths(cellCount_, vec4(0));
-    for (int cell = 0; cell < cellCount_; ++cell)
-        for (int axis = 0; axis < kBondsPerCell; ++axis) {
-            const float strength = world.bondStrength(kBondsPerCell * cell + axis);
-            breakable_ |= strength < static_cast<float>(SUNDER_UNBREAKABLE);
-            strengths[cell][axis] = std::min(strength, static_cast<float>(SUNDER_UNBREAKABLE));
-        }
-    for (const sunder::ElementLaw& law : world.laws())
-        breakable_ |= law.maxStress < SUNDER_UNBREAKABLE;
-    strengthBuffer_ = gl::makeBuffer<vec4>(strengths, GL_STATIC_DRAW, "bond strengths");
     for (const Side& side : bonds_) {
         glBindVertexArray(side.attributes.id());
         glBindBuffer(GL_ARRAY_BUFFER, side.bonds.buffer().id());
         floatAttribute(0, 4, sizeof(BondRecord), offsetof(BondRecord, damage));
         floatAttribute(1, 4, sizeof(BondRecord), offsetof(BondRecord, slow));
-        glBindBuffer(GL_ARRAY_BUFFER, strengthBuffer_.id());
-        floatAttribute(2, 4, sizeof(vec4), 0);
     }
     setConstants(fractureProgram_, world);
     setConstants(linkProgram_, world);

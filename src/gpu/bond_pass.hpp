@@ -9,13 +9,10 @@ namespace sunder::gpu {
 /// groups.
 class BondPass {
   public:
-    /// `fractureShader`: a file that includes physics/fracture.glsl and says where stresses lie.
-    BondPass(const World&, const char* fractureShader);
+    explicit BondPass(const World&);
 
-    /// Whether anything in the world can break at all.
-    bool breakable() const { return breakable_; }
     const BondBuffer& bonds() const { return bonds_[current_].bonds; }
-    /// Texture buffer, RGBA32UI, SUNDER_LINK_TEXELS per cell (LinkRecord).
+    /// Texture buffer, RGBA32F, SUNDER_LINK_TEXELS per cell (LinkRecord).
     const gl::Texture& links() const { return linkTexture_; }
 
     /// Advances damage by one fracture interval from the stresses of the last element update, then
@@ -32,9 +29,8 @@ class BondPass {
     void updateLinks(const Feedback&);
 
     int cellCount_;
-    bool breakable_ = false;
     gl::Program fractureProgram_, linkProgram_;
-    gl::Buffer strengthBuffer_, linkBuffer_;
+    gl::Buffer linkBuffer_;
     gl::Texture linkTexture_;
     std::array<Side, 2> bonds_;  ///< [current_] is read, the other written
     int current_ = 0;

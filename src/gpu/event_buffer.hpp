@@ -15,7 +15,7 @@ class EventBuffer {
 
   private:
     const World& world_;
-    bool stale_ = false;  ///< the buffer holds events that act
+    bool stale_ = true;  ///< the buffer holds what must not act: nothing yet, or past events
     gl::Buffer buffer_;
     gl::Texture texture_;
 };

@@ -3,9 +3,9 @@
 namespace sunder::gpu {
 namespace {
 
-constexpr const char* kSamplers[kUnitCount] = {"cells",    "bodies",          "rest",  "nodes",
-                                               "bonds",    "events",          "links", "forces",
-                                               "stresses", "cumulativeForces"};
+constexpr const char* kSamplers[kUnitCount] = {"cells",    "bodies",           "rest",     "nodes",
+                                               "bonds",    "events",           "links",    "forces",
+                                               "stresses", "cumulativeForces", "strengths"};
 constexpr int kLawBinding = 0;
 
 }  // namespace
@@ -13,6 +13,7 @@ constexpr int kLawBinding = 0;
 void setConstants(const gl::Program& program, const World& world) {
     program.bindUniformBlock("ElementLaws", kLawBinding);
     for (int unit = 0; unit < kUnitCount; ++unit) program.bindSampler(kSamplers[unit], unit);
+    glUniform1i(program.uniform("cellCount"), world.cellCount());
     const auto h = static_cast<float>(world.step());
     glUniform1f(program.uniform("stepSize"), h);
     glUniform1f(program.uniform("interval"),
@@ -25,6 +26,7 @@ void bindWorld(const WorldBuffers& buffers) {
     gl::bindTexture(kCells, GL_TEXTURE_BUFFER, buffers.cells());
     gl::bindTexture(kBodies, GL_TEXTURE_BUFFER, buffers.bodies());
     gl::bindTexture(kRest, GL_TEXTURE_BUFFER, buffers.rest());
+    gl::bindTexture(kStrengths, GL_TEXTURE_BUFFER, buffers.strengths());
     glBindBufferBase(GL_UNIFORM_BUFFER, kLawBinding, buffers.laws().id());
 }
 

@@ -18,6 +18,7 @@ enum Unit {
     kForces,
     kStresses,
     kCumulative,
+    kStrengths,
     kUnitCount
 };
 

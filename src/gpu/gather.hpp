@@ -1,17 +1,20 @@
 #pragma once
 #include <array>
 
-#include "gpu/bond_pass.hpp"
 #include "gpu/event_buffer.hpp"
 #include "gpu/feedback.hpp"
+#include "gpu/texel_target.hpp"
 
 namespace sunder::gpu {
 
-/// The fast GPU method: one vertex per cell computes its five tetrahedra and writes the forces on
-/// its eight nodes by transform feedback; a second pass, again one vertex per cell, gathers for
-/// each node the forces of the joined copies and writes eight new states. No geometry shader, no
-/// blending, the same result on every run of one driver. Fracture and links run only on the steps
-/// that need them; nothing is read back while it advances.
+/// The fast GPU method: every pass fills float textures, ping-pong. One fragment per cell computes
+/// its five tetrahedra and writes the forces on its eight nodes; one fragment per node gathers the
+/// forces of the joined copies and writes the new state. No geometry shader, no blending, the same
+/// result on every run of one driver. Stresses, bonds and links run only on the steps that need
+/// them; nothing is read back while it advances.
+///
+/// Fragments rather than vertices with transform feedback: on an NVIDIA H200 feedback writes some
+/// four thousand million floats a second and no more, which is what a step then takes.
 ///
 /// Needs a current GL context for as long as it lives.
 class GatherSolver : public GpuSolver {
@@ -25,24 +28,34 @@ class GatherSolver : public GpuSolver {
     void finish() override;
     State state() const override;
     void setState(const State& state) override;
-    StateView view() const override;
+    StateView view() override;
 
   private:
-    void updateElements(bool fracture);
+    /// A texture buffer that a layer is copied to for drawing.
+    struct Copy {
+        gl::Buffer buffer;
+        gl::Texture texture;
+        void update(const TexelTarget& from, int layer, const char* what);
+    };
+
+    void updateBonds();
+    void updateLinks();
     void updateNodes(bool events, int stepInFrame);
 
     const World& world_;
     const WorldBuffers& buffers_;
     std::int64_t step_ = 0;
-    Feedback feedback_;
-    BondPass bonds_;
+    bool breakable_;
     EventBuffer events_;
-    std::array<NodeBuffer, 2> nodes_;  ///< [current_] is read, the other written
-    int current_ = 0;
-    gl::Buffer forceBuffer_, stressBuffer_;
-    gl::Texture forceTexture_, stressTexture_;
-    std::array<gl::Program, 2> elementPrograms_;  ///< [1] also computes stresses
-    std::array<gl::Program, 2> nodePrograms_;     ///< [1] also applies events
+    std::array<TexelTarget, 2> nodes_;  ///< per node: displacement (w: rest height), velocity
+    std::array<TexelTarget, 2> bonds_;  ///< per cell: BondRecord
+    TexelTarget forces_;                ///< per cell: force on each corner
+    TexelTarget stresses_;              ///< per cell: glsl/gather/stress.glsl
+    TexelTarget links_;                 ///< per cell: LinkRecord
+    int currentNodes_ = 0, currentBonds_ = 0;  ///< read; the other is written
+    Copy drawnNodes_, drawnDamage_;
+    gl::Program forceProgram_, stressProgram_, bondProgram_, linkProgram_;
+    std::array<gl::Program, 2> nodePrograms_;  ///< [1] also applies events
     GLint stepInFrameUniform_ = -1;
 };
 

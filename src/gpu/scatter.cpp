@@ -7,6 +7,7 @@
 
 #include "core/tetrahedra.hpp"
 #include "gpu/layout.hpp"
+#include "gpu/texel_target.hpp"
 
 namespace sunder::gpu {
 namespace {
@@ -27,8 +28,7 @@ void drawBuffers(int count) {
 /// Rows of a float texture with room for every node and every tetrahedron's stress.
 int textureHeight(const World& world) {
     const std::int64_t perCell = std::max(kCorners, kStressTexels * kTetrahedraPerCell);
-    return static_cast<int>((perCell * world.cellCount() + SUNDER_TEXTURE_WIDTH - 1) /
-                            SUNDER_TEXTURE_WIDTH);
+    return texelRows(perCell * world.cellCount(), "forces and stresses");
 }
 
 }  // namespace
@@ -37,7 +37,8 @@ ScatterSolver::ScatterSolver(const World& world, const WorldBuffers& buffers)
     : world_(world),
       buffers_(buffers),
       height_(textureHeight(world)),
-      bonds_(world, "scatter/fracture.vert"),
+      breakable_(world.breakable()),
+      bonds_(world),
       events_(world),
       nodes_{
           {{NodeBuffer(world), gl::makeVertexArray()}, {NodeBuffer(world), gl::makeVertexArray()}}},
@@ -136,8 +137,9 @@ void ScatterSolver::setState(const State& state) {
     bonds_.write(state, feedback_);
 }
 
-StateView ScatterSolver::view() const {
-    return {&nodes_[currentNodes_].nodes.texture(), &bonds_.bonds().texture()};
+StateView ScatterSolver::view() {
+    return {&nodes_[currentNodes_].nodes.texture(), kNodeTexels, &bonds_.bonds().texture(),
+            kBondTexels};
 }
 
 void ScatterSolver::finish() {
@@ -156,8 +158,7 @@ void ScatterSolver::advance(int steps) {
     glPointSize(1);
 
     for (int i = 0; i < steps; ++i, ++step_) {
-        const bool fracture =
-            bonds_.breakable() && step_ % world_.description().fractureInterval == 0;
+        const bool fracture = breakable_ && step_ % world_.description().fractureInterval == 0;
         gl::bindTexture(kNodes, GL_TEXTURE_BUFFER, nodes_[currentNodes_].nodes.texture());
         updateElements(fracture);
         updateConnectivity();

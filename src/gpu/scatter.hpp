@@ -24,7 +24,7 @@ class ScatterSolver : public GpuSolver {
     void finish() override;
     State state() const override;
     void setState(const State& state) override;
-    StateView view() const override;
+    StateView view() override;
 
   private:
     /// [current] is read, [1 − current] written.
@@ -45,6 +45,7 @@ class ScatterSolver : public GpuSolver {
     std::int64_t step_ = 0;
     int height_;  ///< rows of the float textures
 
+    bool breakable_;
     Feedback feedback_;
     BondPass bonds_;
     EventBuffer events_;

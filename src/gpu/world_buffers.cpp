@@ -9,11 +9,6 @@
 namespace sunder::gpu {
 namespace {
 
-vec4 toVec4(const Vec3& v, double w) {
-    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]),
-            static_cast<float>(w)};
-}
-
 gl::Buffer makeRest(const World& world) {
     std::vector<vec4> rest(world.nodeCount());
     for (int node = 0; node < world.nodeCount(); ++node)
@@ -46,6 +41,15 @@ gl::Buffer makeBodies(const World& world) {
     return gl::makeBuffer<BodyRecord>(bodies, GL_STATIC_DRAW, "bodies");
 }
 
+gl::Buffer makeStrengths(const World& world) {
+    std::vector<vec4> strengths(world.cellCount(), vec4(0));
+    for (int cell = 0; cell < world.cellCount(); ++cell)
+        for (int axis = 0; axis < kBondsPerCell; ++axis)
+            strengths[cell][axis] = std::min(world.bondStrength(kBondsPerCell * cell + axis),
+                                             static_cast<float>(SUNDER_UNBREAKABLE));
+    return gl::makeBuffer<vec4>(strengths, GL_STATIC_DRAW, "bond strengths");
+}
+
 gl::Buffer makeLaws(const World& world) {
     std::vector<ElementLaw> laws(SUNDER_MAX_ELEMENT_LAWS);
     for (std::size_t i = 0; i < world.laws().size(); ++i) {
@@ -75,10 +79,12 @@ WorldBuffers::WorldBuffers(const World& world)
       restBuffer_(makeRest(world)),
       cellBuffer_(makeCells(world)),
       bodyBuffer_(makeBodies(world)),
+      strengthBuffer_(makeStrengths(world)),
       lawBuffer_(makeLaws(world)),
       restTexture_(gl::makeBufferTexture(restBuffer_, GL_RGBA32F, "rest positions")),
       cellTexture_(gl::makeBufferTexture(cellBuffer_, GL_R32UI, "cells")),
-      bodyTexture_(gl::makeBufferTexture(bodyBuffer_, GL_RGBA32F, "bodies")) {}
+      bodyTexture_(gl::makeBufferTexture(bodyBuffer_, GL_RGBA32F, "bodies")),
+      strengthTexture_(gl::makeBufferTexture(strengthBuffer_, GL_RGBA32F, "bond strengths")) {}
 
 NodeBuffer::NodeBuffer(const World& world)
     : world_(world),
@@ -135,7 +141,7 @@ StateUpload::StateUpload(const World& world) : nodes_(world), bonds_(world) {}
 StateView StateUpload::upload(const State& state) {
     nodes_.write(state);
     bonds_.write(state);
-    return {&nodes_.texture(), &bonds_.texture()};
+    return {&nodes_.texture(), kNodeTexels, &bonds_.texture(), kBondTexels};
 }
 
 }  // namespace sunder::gpu

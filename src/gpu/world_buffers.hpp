@@ -20,13 +20,15 @@ class WorldBuffers {
     const gl::Texture& cells() const { return cellTexture_; }
     /// Texture buffer, RGBA32F, SUNDER_BODY_TEXELS per body (BodyRecord).
     const gl::Texture& bodies() const { return bodyTexture_; }
+    /// Texture buffer, RGBA32F, one texel per cell: strengths of the bonds it owns (Pa).
+    const gl::Texture& strengths() const { return strengthTexture_; }
     /// Uniform block ElementLaws.
     const gl::Buffer& laws() const { return lawBuffer_; }
 
   private:
     int cellCount_;
-    gl::Buffer restBuffer_, cellBuffer_, bodyBuffer_, lawBuffer_;
-    gl::Texture restTexture_, cellTexture_, bodyTexture_;
+    gl::Buffer restBuffer_, cellBuffer_, bodyBuffer_, strengthBuffer_, lawBuffer_;
+    gl::Texture restTexture_, cellTexture_, bodyTexture_, strengthTexture_;
 };
 
 /// Displacements and velocities on the GPU (NodeRecord): what transform feedback writes and
@@ -63,14 +65,17 @@ class BondBuffer {
 
 /// What a picture is drawn from, whichever solver made it.
 struct StateView {
-    const gl::Texture* nodes;  ///< NodeBuffer::texture()
-    const gl::Texture* bonds;  ///< BondBuffer::texture()
+    const gl::Texture* displacements;  ///< texture buffer, RGBA32F; xyz: m from rest
+    int displacementStride;            ///< texels from one node's to the next
+    const gl::Texture* damage;  ///< texture buffer, RGBA32F; xyz: of the bonds each cell owns
+    int damageStride;           ///< texels from one cell's to the next
 };
 
 /// A solver whose state lives on the GPU.
 class GpuSolver : public Solver {
   public:
-    virtual StateView view() const = 0;
+    /// Valid until the solver advances.
+    virtual StateView view() = 0;
     /// Null: none (the default). The timer must outlive its use here.
     void setPassTimer(PassTimer* timer) { passTimer_ = timer; }
 

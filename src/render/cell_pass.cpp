@@ -30,8 +30,8 @@ CellPass::CellPass(Output output, const gpu::WorldBuffers& buffers,
     : buffers_(buffers), noAttributes_(noAttributes), program_(describe(output)) {
     program_.bindSampler("cells", kCellUnit);
     program_.bindSampler("bodies", kBodyUnit);
-    program_.bindSampler("bonds", kBondUnit);
-    program_.bindSampler("nodes", kNodeUnit);
+    program_.bindSampler("damage", kBondUnit);
+    program_.bindSampler("displacements", kNodeUnit);
     program_.bindSampler("rest", kRestUnit);
     if (output != Output::Depth) program_.bindUniformBlock("ElementLaws", kLawBinding);
     if (output == Output::Shaded) program_.bindSampler("shadowMap", kShadowUnit);
@@ -46,8 +46,10 @@ void CellPass::draw(const gpu::StateView& state, const glm::mat4& viewProjection
     setUniform(program_, "viewProjection", viewProjection);
     gl::bindTexture(kCellUnit, GL_TEXTURE_BUFFER, buffers_.cells());
     gl::bindTexture(kBodyUnit, GL_TEXTURE_BUFFER, buffers_.bodies());
-    gl::bindTexture(kBondUnit, GL_TEXTURE_BUFFER, *state.bonds);
-    gl::bindTexture(kNodeUnit, GL_TEXTURE_BUFFER, *state.nodes);
+    gl::bindTexture(kBondUnit, GL_TEXTURE_BUFFER, *state.damage);
+    glUniform1i(program_.uniform("damageStride"), state.damageStride);
+    gl::bindTexture(kNodeUnit, GL_TEXTURE_BUFFER, *state.displacements);
+    glUniform1i(program_.uniform("displacementStride"), state.displacementStride);
     gl::bindTexture(kRestUnit, GL_TEXTURE_BUFFER, buffers_.rest());
     glBindBufferBase(GL_UNIFORM_BUFFER, kLawBinding, buffers_.laws().id());
     glBindVertexArray(noAttributes_.id());

@@ -1,25 +1,27 @@
-// Element update: one vertex per cell computes its five tetrahedra and the forces on its eight nodes; every few steps also the
-// stresses that bonds are tested with. Transform feedback writes both.
+// Element update: one fragment per cell computes its five tetrahedra and writes the forces on its eight nodes into eight float
+// targets; with STRESSES, every few steps, the stresses that bonds are tested with instead.
 //
 // On a box cell nothing but edge lengths is needed (no rest matrices): in a corner tetrahedron the columns of F are the three
 // edges at its apex over their lengths, in the central one half sums and differences of its four corners.
+#include "gather/cell_texel.glsl"
 #include "physics/lattice.glsl"
 #include "physics/elasticity.glsl"
-#if FRACTURE
+#if STRESSES
 #include "physics/eigen.glsl"
 #endif
 
-uniform samplerBuffer nodes;  // NodeRecord
-uniform float stepSize;       // s
+uniform sampler2DArray nodes;  // layer 0: displacement, m; layer 1: velocity, m/s
+uniform float stepSize;        // s
 
-out vec4 newForces[8];  // N, on this cell's copies of its nodes; w: 0, so that each is one aligned fetch
-#if FRACTURE
-out vec4 newStress[7];  // glsl/gather/stress.glsl
+#if STRESSES
+layout(location = 0) out vec4 newStress[7];  // glsl/gather/stress.glsl
+#else
+layout(location = 0) out vec4 newForces[8];  // xyz: N, on this cell's copies of its nodes
 #endif
 
 vec3 u[8], v[8], f[8];
 
-#if FRACTURE
+#if STRESSES
 float largestPrincipal = -1.0e30;
 
 void addPrincipal(ElementLaw law, mat3 F, mat3 piola) {
@@ -45,7 +47,7 @@ ElementStress cornerTetrahedron(ElementLaw law, int a, int x, int y, int z, vec3
     f[y] += fy;
     f[z] += fz;
     f[a] -= fx + fy + fz;
-#if FRACTURE
+#if STRESSES
     addPrincipal(law, F, stress.piola);
 #endif
     return stress;
@@ -69,28 +71,29 @@ void centralTetrahedron(ElementLaw law, vec3 reciprocal) {
     f[3] += fx + fy - fz;
     f[5] += fx - fy + fz;
     f[6] += fy + fz - fx;
-#if FRACTURE
+#if STRESSES
     addPrincipal(law, F, stress.piola);
 #endif
 }
 
 void main() {
-    uint record = cellRecord(gl_VertexID);
-    uint lawIndex = lawOf(record);
-    if (lawIndex == SUNDER_ABSENT) {
-        for (int k = 0; k < 8; ++k) newForces[k] = vec4(0.0);
-#if FRACTURE
-        for (int i = 0; i < 7; ++i) newStress[i] = vec4(0.0);
+    int cell = fragmentIndex();
+#if STRESSES
+    for (int i = 0; i < 7; ++i) newStress[i] = vec4(0.0);
+#else
+    for (int k = 0; k < 8; ++k) newForces[k] = vec4(0.0);
 #endif
-        return;
-    }
+    if (cell >= cellCount) return;
+    uint record = cellRecord(cell);
+    uint lawIndex = lawOf(record);
+    if (lawIndex == SUNDER_ABSENT) return;
     ElementLaw law = laws[lawIndex];
-    int parity = cellParity(cellCoordinates(gl_VertexID, ivec4(bodyRecord(bodyOf(record)).lattice)));
+    int parity = cellParity(cellCoordinates(cell, ivec4(bodyRecord(bodyOf(record)).lattice)));
     // An odd cell is an even one seen in a mirror across x: corner k stands for k ^ 1, and x runs backwards.
     for (int k = 0; k < 8; ++k) {
-        int node = 8 * gl_VertexID + (k ^ parity);
-        u[k] = texelFetch(nodes, 2 * node).xyz;
-        v[k] = texelFetch(nodes, 2 * node + 1).xyz;
+        ivec2 texel = texelAddress(8 * cell + (k ^ parity));
+        u[k] = texelFetch(nodes, ivec3(texel, 0), 0).xyz;
+        v[k] = texelFetch(nodes, ivec3(texel, 1), 0).xyz;
         f[k] = vec3(0.0);
     }
     vec3 r = 1.0 / law.cellSize.xyz;
@@ -100,13 +103,8 @@ void main() {
     ElementStress s2 = cornerTetrahedron(law, 2, 3, 0, 6, vec3(r.x, -r.y, r.z));
     ElementStress s4 = cornerTetrahedron(law, 4, 5, 6, 0, vec3(r.x, r.y, -r.z));
     ElementStress s7 = cornerTetrahedron(law, 7, 6, 5, 3, vec3(-r.x, -r.y, -r.z));
-    centralTetrahedron(law, r);
-
-    for (int k = 0; k < 8; k += 2) {
-        newForces[k] = vec4(parity == 0 ? f[k] : f[k + 1], 0.0);
-        newForces[k + 1] = vec4(parity == 0 ? f[k + 1] : f[k], 0.0);
-    }
-#if FRACTURE
+#if STRESSES
+    if (law.fracture.x < SUNDER_UNBREAKABLE) centralTetrahedron(law, r);
     mat3 T0 = biotStress(s1), T1 = biotStress(s2), T2 = biotStress(s4), T3 = biotStress(s7);
     newStress[0] = vec4(T0[0][0], T0[1][1], T0[2][2], T0[0][1]);
     newStress[1] = vec4(T1[0][0], T1[1][1], T1[2][2], T1[0][1]);
@@ -115,5 +113,11 @@ void main() {
     newStress[4] = vec4(T0[1][2], T0[2][0], T1[1][2], T1[2][0]);
     newStress[5] = vec4(T2[1][2], T2[2][0], T3[1][2], T3[2][0]);
     newStress[6] = vec4(largestPrincipal, 0.0, 0.0, 0.0);
+#else
+    centralTetrahedron(law, r);
+    for (int k = 0; k < 8; k += 2) {
+        newForces[k] = vec4(parity == 0 ? f[k] : f[k + 1], 0.0);
+        newForces[k + 1] = vec4(parity == 0 ? f[k + 1] : f[k], 0.0);
+    }
 #endif
 }

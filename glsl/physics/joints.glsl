@@ -1,22 +1,17 @@
-// After bonds broke: which nodes are joined, one vertex per cell, written by transform feedback (LinkRecord).
+// Which nodes of a cell are joined to which, and the masses of their groups. Where damage lies is the solver's affair: the file
+// that includes this defines damageOf().
 #include "physics/lattice.glsl"
 #include "physics/links.glsl"
 
-uniform samplerBuffer bonds;  // BondRecord
-uniform samplerBuffer rest;   // w: mass of this copy, kg, negative where anchored
+uniform samplerBuffer rest;  // w: mass of this copy, kg, negative where anchored
 
-flat out uvec4 newMasks;
-out vec4 newInverseMassLow;
-out vec4 newInverseMassHigh;
+vec3 damageOf(int cell);  // of the bonds through its +x, +y, +z faces
 
-void main() {
-    newMasks = uvec4(0u);
-    newInverseMassLow = vec4(0.0);
-    newInverseMassHigh = vec4(0.0);
-    uint record = cellRecord(gl_VertexID);
-    if (lawOf(record) == SUNDER_ABSENT) return;
+LinkRecord joints(int cell) {
+    uint record = cellRecord(cell);
+    if (lawOf(record) == SUNDER_ABSENT) return LinkRecord(vec4(0.0), vec4(0.0), vec4(0.0));
     ivec4 lattice = ivec4(bodyRecord(bodyOf(record)).lattice);
-    ivec3 strides = cellStrides(lattice), here = cellCoordinates(gl_VertexID, lattice);
+    ivec3 strides = cellStrides(lattice), here = cellCoordinates(cell, lattice);
 
     // Bits 0, 1, 2: the bonds that the 27 cells around this one own through their +x, +y, +z faces and that hold.
     uint held[27];
@@ -26,10 +21,10 @@ void main() {
         held[i] = 0u;
         if (any(lessThan(c, ivec3(0))) || any(greaterThanEqual(c, lattice.xyz))) continue;
         ivec3 steps = offset * strides;
-        vec3 damage = texelFetch(bonds, 2 * (gl_VertexID + steps.x + steps.y + steps.z)).xyz;
+        vec3 damage = damageOf(cell + steps.x + steps.y + steps.z);
         held[i] = uint(damage.x < 1.0) | uint(damage.y < 1.0) << 1u | uint(damage.z < 1.0) << 2u;
     }
-    uvec2 masks = uvec2(0u);
+    uint masks[8];
     float inverseMass[8];
     for (int corner = 0; corner < 8; ++corner) {
         int own = corner ^ 7;
@@ -41,8 +36,7 @@ void main() {
                 if ((octant >> axis & 1) == 0) around[axis] |= (owned >> uint(axis) & 1u) << uint(octant);
         }
         uint mask = linkMask(around, own);
-        if (corner < 4) masks.x |= mask << uint(8 * corner);
-        else masks.y |= mask << uint(8 * (corner - 4));
+        masks[corner] = mask;
 
         // The same order for every copy of the lattice point, as for forces.
         float mass = 0.0;
@@ -50,13 +44,14 @@ void main() {
         for (int octant = 0; octant < 8; ++octant) {
             if ((mask >> uint(octant) & 1u) == 0u) continue;
             ivec3 steps = (cornerBits(octant) - cornerBits(own)) * strides;
-            float own_ = texelFetch(rest, 8 * (gl_VertexID + steps.x + steps.y + steps.z) + (octant ^ 7)).w;
+            float own_ = texelFetch(rest, 8 * (cell + steps.x + steps.y + steps.z) + (octant ^ 7)).w;
             mass += abs(own_);
             if (own_ < 0.0) anchored = true;
         }
         inverseMass[corner] = anchored ? 0.0 : 1.0 / mass;
     }
-    newMasks = uvec4(masks, 0u, 0u);
-    newInverseMassLow = vec4(inverseMass[0], inverseMass[1], inverseMass[2], inverseMass[3]);
-    newInverseMassHigh = vec4(inverseMass[4], inverseMass[5], inverseMass[6], inverseMass[7]);
+    return LinkRecord(vec4(masks[0] + 256u * masks[1], masks[2] + 256u * masks[3], masks[4] + 256u * masks[5],
+                           masks[6] + 256u * masks[7]),
+                      vec4(inverseMass[0], inverseMass[1], inverseMass[2], inverseMass[3]),
+                      vec4(inverseMass[4], inverseMass[5], inverseMass[6], inverseMass[7]));
 }

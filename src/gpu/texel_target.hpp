@@ -1,0 +1,39 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "gl/program.hpp"
+#include "gpu/layout.hpp"
+
+namespace sunder::gpu {
+
+/// Rows that `count` texels take in a texture of SUNDER_TEXTURE_WIDTH columns. Throws InputError,
+/// naming `what`, where the device's textures are not that large.
+int texelRows(std::int64_t count, const char* what);
+
+/// Records of up to eight vec4s, one record per texel, one layer per vec4: what fragments write and
+/// later passes read.
+class TexelTarget {
+  public:
+    TexelTarget(int count, int layers, const char* what);
+
+    /// GL_TEXTURE_2D_ARRAY, RGBA32F.
+    const gl::Texture& texture() const { return texture_; }
+    /// Runs a program whose vertex shader is gather/texels.vert: a fragment for every texel.
+    void fill(const gl::Program& program) const;
+
+    /// `texels`: `count` of them. Waits for the GPU, as read() does.
+    void write(int layer, std::span<const vec4> texels);
+    std::vector<vec4> read(int layer) const;
+    /// Copies a layer within the GPU to the start of a buffer of at least bufferBytes().
+    void copy(int layer, const gl::Buffer& buffer) const;
+    std::size_t bufferBytes() const;
+
+  private:
+    int count_, layers_, rows_;
+    gl::Texture texture_;
+    gl::Framebuffer framebuffer_;
+    gl::VertexArray noAttributes_;
+};
+
+}  // namespace sunder::gpu
