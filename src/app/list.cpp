@@ -13,7 +13,7 @@ template <class Entries>
 void print(const char* heading, const Entries& entries) {
     std::cout << heading << '\n';
     for (const auto& entry : entries)
-        std::cout << "  " << std::left << std::setw(16) << entry.name << entry.title << '\n';
+        std::cout << "  " << std::left << std::setw(20) << entry.name << entry.title << '\n';
 }
 
 int list() {

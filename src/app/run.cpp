@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/commands.hpp"
+#include "app/output_path.hpp"
 #include "app/progress.hpp"
 #include "app/run_report.hpp"
 #include "app/solver_factory.hpp"
@@ -70,19 +71,6 @@ int fitStepsToFrame(Scene& scene, double fps) {
     return steps;
 }
 
-/// Fails now rather than after the work when `path` cannot be written; the folder `out` is made
-/// later.
-void checkWritable(const fs::path& path, const fs::path& out) {
-    std::error_code error;
-    if (fs::is_directory(path, error))
-        throw InputError("cannot write '" + path.string() + "': it is a folder");
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    const auto plain = [](const fs::path& p) { return (p / "").lexically_normal(); };
-    if (!fs::is_directory(folder, error) && plain(folder) != plain(out))
-        throw InputError("cannot write '" + path.string() + "': there is no folder '" +
-                         folder.string() + "'");
-}
-
 /// Draws frames into DIR/frame_0000.png, … .
 class FrameWriter {
   public:
@@ -131,8 +119,7 @@ int run(RunOptions options) {
         std::max(1, static_cast<int>(std::lround(scene.frames * options.fps / 60))));
     facts.stepsPerFrame = fitStepsToFrame(scene, options.fps);
     if (options.out.empty()) options.out = (fs::path("out") / scene.name).string();
-    for (const std::string& path : {options.json, options.state})
-        if (!path.empty()) checkWritable(path, options.out);
+    for (const std::string& path : {options.json, options.state}) checkWritable(path, options.out);
     const World world(scene.world);
 
     // Everything that can be refused is refused before the first file is made.

@@ -1,5 +1,6 @@
 #include "app/solver_factory.hpp"
 
+#include "cpu/cpu_solver.hpp"
 #include "cpu/reference.hpp"
 #include "gpu/gather.hpp"
 #include "gpu/scatter.hpp"
@@ -12,6 +13,7 @@ const std::vector<SolverInfo>& solvers() {
          "GPU: one vertex per cell, transform feedback, no blending (GL 4.1; the default)", true},
         {"scatter", "GPU, the thesis's method: additive blending and transform feedback (GL 4.1)",
          true},
+        {"cpu", "several cells per instruction on every core; what is at rest sleeps", false, true},
         {"reference",
          "plain loops in double precision on the CPU: slow, and what the others are tested against",
          false},
@@ -19,19 +21,20 @@ const std::vector<SolverInfo>& solvers() {
     return known;
 }
 
-const SolverInfo& findSolver(const std::string& name) {
+const SolverInfo& findSolver(const std::string& name, const std::string& option) {
     std::string names;
     for (const SolverInfo& solver : solvers()) {
         if (solver.name == name) return solver;
         names += (names.empty() ? "" : ", ") + solver.name;
     }
-    throw InputError("--solver: there is no solver '" + name + "'; known: " + names);
+    throw InputError(option + ": there is no solver '" + name + "'; known: " + names);
 }
 
 std::unique_ptr<Solver> makeSolver(const SolverInfo& info, const World& world,
-                                   const gpu::WorldBuffers* buffers) {
+                                   const gpu::WorldBuffers* buffers, int threads) {
     if (info.name == "gather") return std::make_unique<gpu::GatherSolver>(world, *buffers);
     if (info.name == "scatter") return std::make_unique<gpu::ScatterSolver>(world, *buffers);
+    if (info.name == "cpu") return std::make_unique<CpuSolver>(world, threads);
     return std::make_unique<ReferenceSolver>(world);
 }
 

@@ -10,16 +10,18 @@ namespace sunder::app {
 struct SolverInfo {
     std::string name;
     std::string title;
-    bool gpu;  ///< needs a GL context while it lives
+    bool gpu;               ///< needs a GL context while it lives
+    bool threaded = false;  ///< takes a number of threads
 };
 
 const std::vector<SolverInfo>& solvers();
-const SolverInfo& findSolver(
-    const std::string& name);  ///< throws InputError listing the known ones
+/// Throws InputError listing the known ones, on behalf of a command line's `option`.
+const SolverInfo& findSolver(const std::string& name, const std::string& option = "--solver");
 
-/// `world` and `buffers` must outlive the solver; `buffers` may be null for a CPU solver.
+/// `world` and `buffers` must outlive the solver; `buffers` may be null for a CPU solver. `threads`
+/// is for threaded ones; 0: one per core.
 std::unique_ptr<Solver> makeSolver(const SolverInfo&, const World& world,
-                                   const gpu::WorldBuffers* buffers);
+                                   const gpu::WorldBuffers* buffers, int threads = 0);
 
 /// Turns any solver's state into what a picture is drawn from: a GPU solver's own buffers, or an
 /// upload.

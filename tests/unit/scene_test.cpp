@@ -528,8 +528,9 @@ TEST_CASE("All presets can be read and laid out", "[scene]") {
         CHECK(world.presentCells() == world.cellCount());
         CHECK(world.events().size() == scene.world.events.size());
     }
-    CHECK(names == std::vector<std::string>{"cantilever", "concrete", "rubber-thesis", "stress",
-                                            "wood", "wood-thesis"});
+    CHECK(names == std::vector<std::string>{"cantilever", "concrete", "peer-50x400",
+                                            "peer-50x400-break", "rubber-thesis", "stress", "wood",
+                                            "wood-thesis"});
     names.clear();
     for (const PresetInfo& preset : materialPresets()) {
         INFO(preset.name);
@@ -566,6 +567,29 @@ TEST_CASE("A preset scene's camera sees all of its bodies", "[scene]") {
         CHECK(reach > 0.6);  // and it fills most of the picture
         CHECK(scene.camera.position.y() > 0);
         CHECK(scene.camera.position.z() > 0);
+    }
+}
+
+TEST_CASE("The peer scenes take the fewest substeps that carry their stiffness", "[scene]") {
+    for (const auto& [name, fracture] : {std::pair{"peer-50x400", FractureMode::None},
+                                         {"peer-50x400-break", FractureMode::Bond}}) {
+        INFO(name);
+        Scene scene = loadScene(name);
+        const World world(scene.world);
+        CHECK(world.bodies().size() == 50);
+        CHECK(kTetrahedraPerCell * world.presentCells() == 20'000);
+        CHECK(world.events().size() == 50);
+        REQUIRE(world.laws().size() == 1);
+        CHECK_FALSE(world.laws()[0].limited);
+        const Material& material = world.materialOf(0);
+        CHECK(material.youngModulus == 4e6);
+        CHECK(material.poissonRatio == 0.3);
+        CHECK(material.density == 1000);
+        CHECK(material.law == ConstitutiveLaw::Corotated);
+        CHECK(material.fracture == fracture);
+
+        scene.world.step = 1.0 / (60.0 * (scene.substeps - 1));
+        CHECK(World(scene.world).laws()[0].limited);
     }
 }
 

@@ -29,7 +29,7 @@ TEST_CASE("App: --help names every command, and a command's --help its options")
     const Result program = place.run({"--help"}, kNoGl);
     CHECK(program.exitCode == 0);
     CHECK(program.err.empty());
-    for (const std::string command : {"run", "info", "list"}) {
+    for (const std::string command : {"run", "bench", "info", "list"}) {
         INFO(command);
         CHECK(contains(program.out, "\n  " + command + " "));
         const Result one = place.run({command, "--help"}, kNoGl);
@@ -65,7 +65,7 @@ TEST_CASE("App: list names every preset that is in the source folder, and every 
         CHECK(std::count(listed.begin(), listed.end(), '\n') == count);
     }
     const std::string solvers = section(result.out, "Solvers");
-    for (const std::string solver : {"scatter", "gather", "reference"}) {
+    for (const std::string solver : {"scatter", "gather", "cpu", "reference"}) {
         INFO(solver);
         CHECK(contains(solvers, "  " + solver + " "));
     }

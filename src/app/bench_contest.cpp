@@ -1,0 +1,260 @@
+#include "app/bench_contest.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "app/bench_table.hpp"
+#include "app/machine.hpp"
+#include "app/progress.hpp"
+
+namespace sunder::app {
+namespace {
+
+class Stopwatch {
+  public:
+    double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+double brokenShare(const World& world, const State& state) {
+    if (world.bondCount() == 0) return 0;
+    const auto broken = std::count_if(state.damage.begin(), state.damage.end(), [](double damage) {
+        return damage >= 1 && damage < kNoBond;
+    });
+    return static_cast<double>(broken) / world.bondCount();
+}
+
+}  // namespace
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2) return *middle;
+    return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+int fewestSteps(const WorldDescription& world) {
+    return world.fractureInterval * std::max(1, 8 / world.fractureInterval);
+}
+
+std::string Entrant::label() const {
+    if (!solver->threaded) return solver->name;
+    return solver->name + ", " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
+}
+
+Contest::Contest(Scene scene, const std::vector<Entrant>& entrants, const BenchLimits& limits,
+                 const gl::Context* context)
+    : scene_(std::move(scene)),
+      world_(scene_.world),
+      limits_(limits),
+      software_(context && context->info().software) {
+    std::string problem;
+    if (context) {
+        const std::size_t before = gl::allocatedBytes();
+        try {
+            buffers_.emplace(world_);
+        } catch (const InputError& error) {
+            problem = error.what();
+        }
+        worldBytes_ = gl::allocatedBytes() - before;
+    }
+    for (const Entrant& entrant : entrants) {
+        Lane& lane = lanes_.emplace_back();
+        lane.entrant = entrant;
+        if (entrant.solver->gpu) lane.skipped = problem;
+        if (lane.skipped.empty()) makeSolver(lane);
+    }
+}
+
+void Contest::makeSolver(Lane& lane) {
+    const SolverInfo& info = *lane.entrant.solver;
+    const std::size_t before = info.gpu ? gl::allocatedBytes() : heapBytesInUse().value_or(0);
+    try {
+        lane.solver =
+            app::makeSolver(info, world_, buffers_ ? &*buffers_ : nullptr, lane.entrant.threads);
+    } catch (const InputError& error) {
+        lane.skipped = error.what();
+        return;
+    }
+    const double tetrahedra = kTetrahedraPerCell * double(world_.presentCells());
+    if (info.gpu)
+        lane.bytes = static_cast<double>(gl::allocatedBytes() - before + worldBytes_) / tetrahedra;
+    else if (const auto after = heapBytesInUse(); after && *after > before)
+        lane.bytes = static_cast<double>(*after - before) / tetrahedra;
+}
+
+int Contest::leadSteps(const State& start) const {
+    double firstEnd = static_cast<double>(start.step);
+    if (!world_.events().empty())
+        firstEnd = std::min_element(world_.events().begin(), world_.events().end(),
+                                    [](const Event& a, const Event& b) { return a.end < b.end; })
+                       ->end;
+    const double steps = std::ceil(firstEnd - static_cast<double>(start.step));
+    return static_cast<int>(std::clamp(steps, 0.0, double(scene_.substeps)));
+}
+
+void Contest::prepare(Lane& lane, const State& start) const {
+    lane.solver->setState(start);
+    const int lead = leadSteps(start);
+    if (lead > 0 && lead * lane.stepSeconds < limits_.secondsPerRun) lane.solver->advance(lead);
+    lane.solver->finish();
+}
+
+double Contest::timedRun(Lane& lane, int steps) const {
+    const Stopwatch watch;
+    for (int left = steps; left > 0; left -= scene_.substeps)
+        lane.solver->advance(std::min(left, scene_.substeps));
+    lane.solver->finish();
+    return watch.seconds();
+}
+
+void Contest::probe(Lane& lane, const State& start) {
+    const int steps = fewestSteps(scene_.world);
+    const auto tooSlow = [&] {
+        if (steps * lane.stepSeconds < limits_.secondsPerCell) return false;
+        lane.skipped = std::to_string(steps) + " steps take about " +
+                       shortNumber(steps * lane.stepSeconds) + " s";
+        return true;
+    };
+    lane.solver->setState(start);
+    lane.solver->finish();
+    // Drivers compile shaders at their first use: step 0 tests fracture, step 1 does not, and the
+    // steps after an event may take others still.
+    for (int i = 0; i < 2; ++i) timedRun(lane, 1);
+    lane.stepSeconds = std::min(timedRun(lane, 1), timedRun(lane, 1));
+    if (tooSlow()) return;
+    prepare(lane, start);
+    lane.stepSeconds = std::min(timedRun(lane, steps), timedRun(lane, steps)) / steps;
+    tooSlow();
+}
+
+int Contest::stepsPerRun(const Lane& lane) const {
+    const double seconds =
+        std::min(limits_.secondsPerRun, limits_.secondsPerCell / limits_.repeats);
+    const int frame = scene_.substeps, interval = scene_.world.fractureInterval;
+    const double most = double(limits_.framesPerRun) * frame;
+    int steps = static_cast<int>(std::min(seconds / std::max(lane.stepSeconds, 1e-9), most));
+    steps -= steps % (steps >= frame ? frame : interval);
+    return std::max(steps, fewestSteps(scene_.world));
+}
+
+std::vector<BenchResult> Contest::measure(const std::string& part, const State& start) {
+    std::vector<std::vector<double>> samples(lanes_.size());
+    Progress progress(part + ", " + scene_.name, limits_.repeats + 1);
+    for (Lane& lane : lanes_)
+        if (lane.skipped.empty()) probe(lane, start);
+    for (int repeat = 0; repeat < limits_.repeats; ++repeat) {
+        progress.update(repeat + 1);
+        for (std::size_t i = 0; i < lanes_.size(); ++i) {
+            Lane& lane = lanes_[i];
+            if (!lane.skipped.empty()) continue;
+            const int steps = stepsPerRun(lane);
+            // A few steps that take long need fewer repeats to tell how long.
+            if (repeat * steps * lane.stepSeconds > limits_.secondsPerCell) continue;
+            prepare(lane, start);
+            samples[i].push_back(1000 * timedRun(lane, steps) / steps);
+        }
+    }
+    std::vector<BenchResult> results;
+    for (std::size_t i = 0; i < lanes_.size(); ++i) {
+        const Lane& lane = lanes_[i];
+        BenchResult& result = results.emplace_back();
+        result.part = part;
+        result.scene = scene_.name;
+        result.label = lane.entrant.label();
+        result.solver = lane.entrant.solver->name;
+        result.threads = lane.entrant.threads;
+        result.bodies = static_cast<int>(world_.bodies().size());
+        result.tetrahedra = kTetrahedraPerCell * world_.presentCells();
+        result.stepsPerFrame = scene_.substeps;
+        for (const ElementLaw& law : world_.laws()) result.stiffnessLimited |= law.limited;
+        result.msPerStep = median(samples[i]);
+        result.runs = static_cast<int>(samples[i].size());
+        result.stepsPerRun = result.runs ? stepsPerRun(lane) : 0;
+        result.bytesPerTetrahedron = lane.bytes;
+        result.bondsBroken = brokenShare(world_, start);
+        result.skipped = lane.skipped;
+    }
+    return results;
+}
+
+void Contest::measureDrawn(std::vector<BenchResult>& results) {
+    if (!buffers_) return;
+    const State start = world_.initialState();
+    const RenderSettings settings{.width = 1280, .height = 720};
+    Renderer renderer(world_, *buffers_);
+    std::vector<std::unique_ptr<SolverView>> views(lanes_.size());
+    std::vector<std::vector<double>> samples(lanes_.size());
+    std::vector<double> frameSeconds(lanes_.size());
+    const auto frame = [&](std::size_t i) {
+        lanes_[i].solver->advance(scene_.substeps);
+        renderer.draw(views[i]->view(), scene_.camera, settings);
+    };
+    for (std::size_t i = 0; i < lanes_.size(); ++i) {
+        if (!lanes_[i].skipped.empty()) continue;
+        views[i] = std::make_unique<SolverView>(world_, *lanes_[i].solver);
+        if (scene_.substeps * lanes_[i].stepSeconds > limits_.secondsPerCell) continue;
+        prepare(lanes_[i], start);
+        frame(i);
+        const Stopwatch watch;
+        frame(i);
+        frameSeconds[i] = watch.seconds();
+    }
+    Progress progress("drawn, " + scene_.name, limits_.repeats);
+    for (int repeat = 0; repeat < limits_.repeats; ++repeat) {
+        progress.update(repeat);
+        for (std::size_t i = 0; i < lanes_.size(); ++i) {
+            if (frameSeconds[i] == 0 || repeat * frameSeconds[i] > limits_.secondsPerCell) continue;
+            const int frames = std::clamp(static_cast<int>(limits_.secondsPerRun / frameSeconds[i]),
+                                          1, limits_.drawnFramesPerRun);
+            prepare(lanes_[i], start);
+            const Stopwatch watch;
+            for (int k = 0; k < frames; ++k) frame(i);
+            samples[i].push_back(1000 * watch.seconds() / frames);
+        }
+    }
+    for (std::size_t i = 0; i < lanes_.size(); ++i)
+        if (!samples[i].empty()) results[i].msPerFrameDrawn = median(samples[i]);
+}
+
+std::vector<PassResult> Contest::measurePasses() {
+    std::vector<PassResult> results;
+    const State start = world_.initialState();
+    for (Lane& lane : lanes_) {
+        auto* solver = dynamic_cast<gpu::GpuSolver*>(lane.solver.get());
+        if (!solver || !lane.skipped.empty()) continue;
+        prepare(lane, start);
+        gpu::PassTimer timer(software_);
+        const int steps = std::min(stepsPerRun(lane), scene_.substeps);
+        solver->setPassTimer(&timer);
+        timedRun(lane, steps);
+        solver->setPassTimer(nullptr);
+        for (const gpu::PassTimer::Times& times : timer.take())
+            results.push_back({scene_.name, lane.entrant.solver->name, times.pass,
+                               kTetrahedraPerCell * world_.presentCells(),
+                               median(times.milliseconds),
+                               double(times.milliseconds.size()) * scene_.substeps / steps});
+    }
+    return results;
+}
+
+State Contest::stateAfter(int frames) {
+    Lane* fastest = nullptr;
+    for (Lane& lane : lanes_)
+        if (lane.skipped.empty() && (!fastest || lane.stepSeconds < fastest->stepSeconds))
+            fastest = &lane;
+    if (!fastest) return world_.initialState();
+    const int steps = static_cast<int>(
+        std::min(double(frames) * scene_.substeps, limits_.secondsPerCell / fastest->stepSeconds));
+    fastest->solver->setState(world_.initialState());
+    timedRun(*fastest, std::max(steps, scene_.substeps));
+    return fastest->solver->state();
+}
+
+}  // namespace sunder::app

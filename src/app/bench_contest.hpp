@@ -1,0 +1,77 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "app/bench_result.hpp"
+#include "gl/context.hpp"
+#include "render/renderer.hpp"
+#include "scene/scene.hpp"
+
+namespace sunder::app {
+
+struct BenchLimits {
+    int repeats = 5;
+    double secondsPerCell = 5;   ///< of a table: one entrant, one scene, all repeats
+    double secondsPerRun = 0.4;  ///< wanted; a run is whole frames where that many fit
+    int framesPerRun = 20;       ///< at most; less than 30, or a solver lets what is at rest sleep
+    int drawnFramesPerRun = 20;  ///< at most
+};
+
+double median(std::vector<double> values);
+
+/// The fewest steps worth timing: a whole number of fracture intervals, 8 or about that.
+int fewestSteps(const WorldDescription&);
+
+/// Several solvers on one world. Their runs are interleaved, so that whatever else the machine does
+/// hits all alike; each run starts from the same state and is timed once the first event is over.
+class Contest {
+  public:
+    /// `context`: the current one, or null: then only CPU solvers may take part, and nothing is
+    /// drawn. A solver that the device has no room for is skipped, with the reason in its
+    /// result.
+    Contest(Scene, const std::vector<Entrant>&, const BenchLimits&, const gl::Context* context);
+    Contest(const Contest&) = delete;
+    Contest& operator=(const Contest&) = delete;
+
+    const World& world() const { return world_; }
+
+    /// One result per entrant, in their order. `part` goes into the results.
+    std::vector<BenchResult> measure(const std::string& part, const State& start);
+    std::vector<BenchResult> measure(const std::string& part) {
+        return measure(part, world_.initialState());
+    }
+    /// Adds msPerFrameDrawn to what measure() returned: 1280 x 720, read back like `sunder run`
+    /// does.
+    void measureDrawn(std::vector<BenchResult>& results);
+    /// Times of the passes of the GPU solvers (gpu::PassTimer).
+    std::vector<PassResult> measurePasses();
+    /// The state after about this many frames, or fewer where that would take too long; by whoever
+    /// is fastest. Needs a measure() before.
+    State stateAfter(int frames);
+
+  private:
+    struct Lane {
+        Entrant entrant;
+        std::unique_ptr<Solver> solver;
+        std::optional<double> bytes;
+        std::string skipped;
+        double stepSeconds = 0;  ///< estimate
+    };
+    void makeSolver(Lane&);
+    /// Estimates stepSeconds. Sets `skipped` where the fewest steps would take too long.
+    void probe(Lane&, const State& start);
+    int stepsPerRun(const Lane&) const;
+    void prepare(Lane&, const State& start) const;
+    double timedRun(Lane&, int steps) const;
+    int leadSteps(const State& start) const;
+
+    Scene scene_;
+    World world_;
+    BenchLimits limits_;
+    bool software_;  ///< the driver computes on the CPU
+    std::optional<gpu::WorldBuffers> buffers_;
+    std::size_t worldBytes_ = 0;  ///< on the GPU
+    std::vector<Lane> lanes_;
+};
+
+}  // namespace sunder::app

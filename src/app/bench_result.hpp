@@ -1,0 +1,55 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/solver_factory.hpp"
+
+namespace sunder::app {
+
+/// One line of competitors: a solver, and with how many threads.
+struct Entrant {
+    const SolverInfo* solver;
+    int threads = 1;  ///< 1 unless the solver is threaded
+    /// "gather", "cpu, 2 threads"
+    std::string label() const;
+};
+
+/// What one entrant needed for one scene. Times are medians of `runs`.
+struct BenchResult {
+    std::string part;  ///< which table it belongs to: frames, one-step, scaling, intact, broken, …
+    std::string scene;
+    std::string label;  ///< Entrant::label()
+    std::string solver;
+    int threads = 1;
+    int bodies = 0, tetrahedra = 0, stepsPerFrame = 0;
+    bool stiffnessLimited = false;  ///< the step does not carry a material's Young's modulus
+    double msPerStep = 0;
+    int stepsPerRun = 0, runs = 0;
+    std::optional<double> msPerFrameDrawn;      ///< a frame's steps and its picture
+    std::optional<double> bytesPerTetrahedron;  ///< of the solver, beyond the world it reads
+    double bondsBroken = 0;                     ///< share of all, at the start of a run
+    std::string skipped;                        ///< why it was not measured; empty: it was
+
+    double msPerFrame() const { return msPerStep * stepsPerFrame; }  ///< 1/60 s of simulated time
+    double megaTetrahedraPerSecond() const { return tetrahedra / msPerStep / 1000; }
+    double nanosecondsPerTetrahedron() const { return msPerStep * 1e6 / tetrahedra; }
+};
+
+/// What one pass of a GPU solver needed.
+struct PassResult {
+    std::string scene, solver, pass;
+    int tetrahedra = 0;
+    double milliseconds = 0;  ///< median of its runs
+    double runsPerFrame = 0;
+};
+
+struct BenchReport {
+    std::string processor;
+    int cores = 1;
+    std::string renderer, glVersion;  ///< empty without a context
+    std::vector<BenchResult> results;
+    std::vector<PassResult> passes;
+};
+
+}  // namespace sunder::app

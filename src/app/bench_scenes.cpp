@@ -1,0 +1,98 @@
+#include "app/bench_scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunder::app {
+namespace {
+
+constexpr double kCell = 0.1;  // m
+
+struct ScalingWall {
+    int tetrahedra;
+    IVec3 cells;
+};
+
+const std::vector<ScalingWall>& scalingWalls() {
+    static const std::vector<ScalingWall> walls{{2'000, {20, 20, 1}},      {6'000, {40, 30, 1}},
+                                                {20'000, {80, 50, 1}},     {60'000, {150, 80, 1}},
+                                                {200'000, {250, 160, 1}},  {600'000, {300, 200, 2}},
+                                                {2'000'000, {500, 400, 2}}};
+    return walls;
+}
+
+}  // namespace
+
+Scene hitAtOnce(Scene scene) {
+    double first = 0;
+    for (std::size_t i = 0; i < scene.world.events.size(); ++i)
+        first = i == 0 ? scene.world.events[i].time : std::min(first, scene.world.events[i].time);
+    for (EventDescription& event : scene.world.events) event.time -= first;
+    return scene;
+}
+
+Scene withWalls(Scene scene, int walls) {
+    const BodyDescription wall = scene.world.bodies.front();
+    const std::vector<EventDescription> events = scene.world.events;
+    scene.world.bodies.clear();
+    scene.world.events.clear();
+    // Wider than deep walls stand in about half as many columns as rows.
+    const int columns = std::max(1, static_cast<int>(std::sqrt(walls / 2.0)));
+    const double dx = 1.2 * wall.size.x(), dz = wall.size.z() + wall.size.y();
+    for (int i = 0; i < walls; ++i) {
+        BodyDescription& copy = scene.world.bodies.emplace_back(wall);
+        copy.name = wall.name + " " + std::to_string(i + 1);
+        copy.position += Vec3(dx * (i % columns), 0, -dz * (i / columns));
+        for (EventDescription event : events) {
+            if (event.body != 0) continue;
+            event.body = i;
+            scene.world.events.push_back(event);
+        }
+    }
+    return scene;
+}
+
+Scene oneStepPerFrame(Scene scene) {
+    scene.substeps = 1;
+    scene.world.step = 1.0 / 60;
+    scene.world.fractureInterval = 1;
+    return scene;
+}
+
+const std::vector<int>& scalingSizes() {
+    static const std::vector<int> sizes = [] {
+        std::vector<int> result;
+        for (const ScalingWall& wall : scalingWalls()) result.push_back(wall.tetrahedra);
+        return result;
+    }();
+    return sizes;
+}
+
+Scene scalingScene(int tetrahedra) {
+    const auto& walls = scalingWalls();
+    const auto wall = std::find_if(walls.begin(), walls.end(), [&](const ScalingWall& known) {
+        return known.tetrahedra == tetrahedra;
+    });
+    Scene scene;
+    scene.name = "wood-wall";
+    scene.title = "A wooden wall, hit at 40 m/s";
+    scene.world.materials = {loadMaterial("wood")};
+    BodyDescription body;
+    body.name = "wall";
+    body.cells = wall->cells;
+    body.size = kCell * wall->cells.cast<double>();
+    body.anchors = {Side::Bottom};
+    const double height = body.size.y();
+    EventDescription hit;
+    hit.kind = EventDescription::Kind::Velocity;
+    hit.point = Vec3(0, height / 2, body.size.z() / 2);
+    hit.radius = 0.3 * height;
+    hit.vector = Vec3(0, 0, -40);
+    scene.camera.position = Vec3(0, height / 2, 3 * height);
+    scene.camera.target = Vec3(0, height / 2, 0);
+    scene.world.bodies = {body};
+    scene.world.events = {hit};
+    return scene;
+}
+
+}  // namespace sunder::app
