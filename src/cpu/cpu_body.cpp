@@ -88,14 +88,15 @@ void BodyStorage::choose(const World& world) {
     a.groundFriction = static_cast<float>(world.description().groundFriction);
 }
 
-/// One block for all arrays. Each is a whole number of cache lines, and an odd one: at a power of
-/// two the arrays that a step runs through would fall into the same few sets of the cache.
+/// One block for all arrays. Each is a whole number of cache lines, and not a multiple of four: at
+/// a power of two all the arrays that a step runs through would fall into the same few sets of the
+/// cache.
 void BodyStorage::allocate() {
     BodyArrays& a = arrays_;
     // Neighbours are read before it is known whether they are there.
     const std::ptrdiff_t pad = roundUp(a.reach, kLanes);
     a.stride = roundUp(a.cells, kLanes) + pad;
-    if (a.stride / kLanes % 2 == 0) a.stride += kLanes;
+    if (a.stride / kLanes % 4 == 0) a.stride += kLanes;
     const auto floats = [&](int arrays) { return static_cast<std::size_t>(arrays * a.stride) * 4; };
     const auto tiles = [&](int components) {
         return static_cast<std::size_t>(roundUp(a.vectors * components * kLanes, kAlignment));
