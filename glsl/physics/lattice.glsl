@@ -29,5 +29,7 @@ ivec3 cornerBits(int corner) { return ivec3(corner & 1, corner >> 1 & 1, corner 
 // Which of the two mirrored splits into tetrahedra a cell has: parity of i+j+k.
 int cellParity(ivec3 coordinates) { return (coordinates.x + coordinates.y + coordinates.z) & 1; }
 
-// Where texel `index` lies in a texture of SUNDER_TEXTURE_WIDTH columns: a 1D texture would end at 16,384.
-ivec2 texelAddress(int index) { return ivec2(index % SUNDER_TEXTURE_WIDTH, index / SUNDER_TEXTURE_WIDTH); }
+// Columns of the solver's textures; texels are numbered row by row, for a 1D texture would end at 16,384.
+uniform int textureWidth;
+
+ivec2 texelAddress(int index) { return ivec2(index % textureWidth, index / textureWidth); }

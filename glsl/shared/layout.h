@@ -1,8 +1,6 @@
 // Buffer layouts and constants that C++ and GLSL both use. Compiles as either: in C++ it is included inside
 // namespace sunder::gpu (src/gpu/layout.hpp), where vec4 and uvec4 are glm's.
 
-// A texel address is (index % SUNDER_TEXTURE_WIDTH, index / SUNDER_TEXTURE_WIDTH): a 1D texture would end at 16,384.
-#define SUNDER_TEXTURE_WIDTH 2048
 #define SUNDER_MAX_ELEMENT_LAWS 256
 // Cell record: law in the low bits, body above. An absent cell has law SUNDER_ABSENT.
 #define SUNDER_LAW_BITS 9

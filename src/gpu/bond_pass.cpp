@@ -7,7 +7,7 @@
 
 namespace sunder::gpu {
 
-BondPass::BondPass(const World& world)
+BondPass::BondPass(const World& world, int textureColumns)
     : cellCount_(world.cellCount()),
       fractureProgram_({.vertex = "scatter/fracture.vert",
                         .feedback = {"newDamage", "newSlow"},
@@ -24,8 +24,8 @@ BondPass::BondPass(const World& world)
         floatAttribute(0, 4, sizeof(BondRecord), offsetof(BondRecord, damage));
         floatAttribute(1, 4, sizeof(BondRecord), offsetof(BondRecord, slow));
     }
-    setConstants(fractureProgram_, world);
-    setConstants(linkProgram_, world);
+    setConstants(fractureProgram_, world, textureColumns);
+    setConstants(linkProgram_, world, textureColumns);
 }
 
 void BondPass::update(const Feedback& feedback) {

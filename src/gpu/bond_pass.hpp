@@ -9,7 +9,8 @@ namespace sunder::gpu {
 /// groups.
 class BondPass {
   public:
-    explicit BondPass(const World&);
+    /// `textureColumns`: of the texture with stresses.
+    BondPass(const World&, int textureColumns);
 
     const BondBuffer& bonds() const { return bonds_[current_].bonds; }
     /// Texture buffer, RGBA32F, SUNDER_LINK_TEXELS per cell (LinkRecord).

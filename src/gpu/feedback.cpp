@@ -10,9 +10,10 @@ constexpr int kLawBinding = 0;
 
 }  // namespace
 
-void setConstants(const gl::Program& program, const World& world) {
+void setConstants(const gl::Program& program, const World& world, int textureColumns) {
     program.bindUniformBlock("ElementLaws", kLawBinding);
     for (int unit = 0; unit < kUnitCount; ++unit) program.bindSampler(kSamplers[unit], unit);
+    glUniform1i(program.uniform("textureWidth"), textureColumns);
     glUniform1i(program.uniform("cellCount"), world.cellCount());
     const auto h = static_cast<float>(world.step());
     glUniform1f(program.uniform("stepSize"), h);

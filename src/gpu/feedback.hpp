@@ -23,8 +23,8 @@ enum Unit {
 };
 
 /// Points every sampler and uniform block the program has to its place, and sets what stays the
-/// same for a whole run: step, fracture interval, ground.
-void setConstants(const gl::Program& program, const World& world);
+/// same for a whole run: step, fracture interval, ground, columns of the solver's textures.
+void setConstants(const gl::Program& program, const World& world, int textureColumns);
 
 /// Binds what does not change while a solver advances: another user of the context may have used
 /// these units since.

@@ -14,14 +14,15 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
     : world_(world),
       buffers_(buffers),
       breakable_(world.breakable()),
+      columns_(texelColumns(world.nodeCount())),
       events_(world),
-      nodes_{TexelTarget(world.nodeCount(), 2, "nodes"),
-             TexelTarget(world.nodeCount(), 2, "nodes")},
-      bonds_{TexelTarget(world.cellCount(), 2, "bonds"),
-             TexelTarget(world.cellCount(), 2, "bonds")},
-      forces_(world.cellCount(), kCorners, "forces"),
-      stresses_(breakable_ ? world.cellCount() : 1, 7, "stresses"),
-      links_(world.cellCount(), SUNDER_LINK_TEXELS, "links"),
+      nodes_{TexelTarget(world.nodeCount(), columns_, 2, "nodes"),
+             TexelTarget(world.nodeCount(), columns_, 2, "nodes")},
+      bonds_{TexelTarget(world.cellCount(), columns_, 2, "bonds"),
+             TexelTarget(world.cellCount(), columns_, 2, "bonds")},
+      forces_(world.cellCount(), columns_, kCorners, "forces"),
+      stresses_(breakable_ ? world.cellCount() : 1, columns_, 7, "stresses"),
+      links_(world.cellCount(), columns_, SUNDER_LINK_TEXELS, "links"),
       forceProgram_(texelProgram("gather/element.frag", {{"STRESSES", "0"}})),
       stressProgram_(texelProgram("gather/element.frag", {{"STRESSES", "1"}})),
       bondProgram_(texelProgram("gather/fracture.frag")),
@@ -30,7 +31,7 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
                     texelProgram("gather/node.frag", {{"EVENTS", "1"}})} {
     for (const gl::Program* program : {&forceProgram_, &stressProgram_, &bondProgram_,
                                        &linkProgram_, &nodePrograms_[0], &nodePrograms_[1]})
-        setConstants(*program, world);
+        setConstants(*program, world, columns_);
     stepInFrameUniform_ = nodePrograms_[1].uniform("stepInFrame");
     setState(world.initialState());
 }

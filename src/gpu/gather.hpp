@@ -46,6 +46,7 @@ class GatherSolver : public GpuSolver {
     const WorldBuffers& buffers_;
     std::int64_t step_ = 0;
     bool breakable_;
+    int columns_;  ///< of all textures
     EventBuffer events_;
     std::array<TexelTarget, 2> nodes_;  ///< per node: displacement (w: rest height), velocity
     std::array<TexelTarget, 2> bonds_;  ///< per cell: BondRecord

@@ -25,10 +25,9 @@ void drawBuffers(int count) {
     glDrawBuffers(count, both);
 }
 
-/// Rows of a float texture with room for every node and every tetrahedron's stress.
-int textureHeight(const World& world) {
-    const std::int64_t perCell = std::max(kCorners, kStressTexels * kTetrahedraPerCell);
-    return texelRows(perCell * world.cellCount(), "forces and stresses");
+/// Texels of a float texture with room for every node and every tetrahedron's stress.
+std::int64_t texelCount(const World& world) {
+    return std::int64_t{std::max(kCorners, kStressTexels * kTetrahedraPerCell)} * world.cellCount();
 }
 
 }  // namespace
@@ -36,9 +35,10 @@ int textureHeight(const World& world) {
 ScatterSolver::ScatterSolver(const World& world, const WorldBuffers& buffers)
     : world_(world),
       buffers_(buffers),
-      height_(textureHeight(world)),
+      width_(texelColumns(texelCount(world))),
+      height_(texelRows(texelCount(world), width_, "forces and stresses")),
       breakable_(world.breakable()),
-      bonds_(world),
+      bonds_(world, width_),
       events_(world),
       nodes_{
           {{NodeBuffer(world), gl::makeVertexArray()}, {NodeBuffer(world), gl::makeVertexArray()}}},
@@ -83,22 +83,20 @@ void ScatterSolver::makeElementBuffer() {
 }
 
 void ScatterSolver::makeTargets() {
-    forceTexture_ = gl::makeTexture2D(SUNDER_TEXTURE_WIDTH, height_, GL_RGBA32F, "force texture");
-    stressTexture_ = gl::makeTexture2D(SUNDER_TEXTURE_WIDTH, height_, GL_RGBA32F, "stress texture");
-    cumulativeTexture_ =
-        gl::makeTexture2D(SUNDER_TEXTURE_WIDTH, height_, GL_RGBA32F, "cumulative force texture");
+    forceTexture_ = gl::makeTexture2D(width_, height_, GL_RGBA32F, "force texture");
+    stressTexture_ = gl::makeTexture2D(width_, height_, GL_RGBA32F, "stress texture");
+    cumulativeTexture_ = gl::makeTexture2D(width_, height_, GL_RGBA32F, "cumulative force texture");
     elementTarget_ = makeTarget({&forceTexture_, &stressTexture_});
     cumulativeTarget_ = makeTarget({&cumulativeTexture_});
 
     // The force texture's alpha carries the inverse mass of each node's copy and is masked from
     // here on; 0 anchors the node.
-    std::vector<vec4> texels(std::size_t{SUNDER_TEXTURE_WIDTH} * height_, vec4(0));
+    std::vector<vec4> texels(static_cast<std::size_t>(width_) * height_, vec4(0));
     for (int node = 0; node < world_.nodeCount(); ++node)
         if (!world_.anchored(node) && world_.nodeMass(node) > 0)
             texels[node].w = static_cast<float>(1 / world_.nodeMass(node));
     glBindTexture(GL_TEXTURE_2D, forceTexture_.id());
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, SUNDER_TEXTURE_WIDTH, height_, GL_RGBA, GL_FLOAT,
-                    texels.data());
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, GL_RGBA, GL_FLOAT, texels.data());
 }
 
 void ScatterSolver::makePrograms() {
@@ -116,7 +114,7 @@ void ScatterSolver::makePrograms() {
                                 .attributes = {{"displacement", 0}, {"velocity", 1}}});
     for (const gl::Program* program :
          {&elementPrograms_[0], &elementPrograms_[1], &connectivityProgram_, &nodeProgram_}) {
-        setConstants(*program, world_);
+        setConstants(*program, world_, width_);
         glUniform1f(program->uniform("targetHeight"), static_cast<float>(height_));
     }
     stepInFrameUniform_ = nodeProgram_.uniform("stepInFrame");
@@ -154,7 +152,7 @@ void ScatterSolver::advance(int steps) {
     gl::bindTexture(kForces, GL_TEXTURE_2D, forceTexture_);
     gl::bindTexture(kStresses, GL_TEXTURE_2D, stressTexture_);
     gl::bindTexture(kCumulative, GL_TEXTURE_2D, cumulativeTexture_);
-    glViewport(0, 0, SUNDER_TEXTURE_WIDTH, height_);
+    glViewport(0, 0, width_, height_);
     glPointSize(1);
 
     for (int i = 0; i < steps; ++i, ++step_) {

@@ -43,7 +43,7 @@ class ScatterSolver : public GpuSolver {
     const World& world_;
     const WorldBuffers& buffers_;
     std::int64_t step_ = 0;
-    int height_;  ///< rows of the float textures
+    int width_, height_;  ///< columns and rows of the float textures
 
     bool breakable_;
     Feedback feedback_;

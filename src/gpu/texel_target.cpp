@@ -6,10 +6,16 @@
 
 namespace sunder::gpu {
 
-int texelRows(std::int64_t count, const char* what) {
+int texelColumns(std::int64_t count) {
+    std::int64_t columns = 64;
+    while (4 * columns * columns < count && columns < 16384) columns *= 2;
+    return static_cast<int>(columns);
+}
+
+int texelRows(std::int64_t count, int columns, const char* what) {
     GLint most = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
-    const std::int64_t rows = (count + SUNDER_TEXTURE_WIDTH - 1) / SUNDER_TEXTURE_WIDTH;
+    const std::int64_t rows = (count + columns - 1) / columns;
     if (rows > most)
         throw InputError("the world is too large for this device: " + std::string(what) +
                          " need a texture of " + std::to_string(rows) + " rows, it takes " +
@@ -17,11 +23,11 @@ int texelRows(std::int64_t count, const char* what) {
     return static_cast<int>(std::max<std::int64_t>(1, rows));
 }
 
-TexelTarget::TexelTarget(int count, int layers, const char* what)
+TexelTarget::TexelTarget(int count, int columns, int layers, const char* what)
     : count_(count),
-      layers_(layers),
-      rows_(texelRows(count, what)),
-      texture_(gl::makeTextureArray(SUNDER_TEXTURE_WIDTH, rows_, layers, GL_RGBA32F, what)),
+      columns_(columns),
+      rows_(texelRows(count, columns, what)),
+      texture_(gl::makeTextureArray(columns, rows_, layers, GL_RGBA32F, what)),
       framebuffer_(gl::makeFramebuffer()),
       noAttributes_(gl::makeVertexArray()) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
@@ -38,7 +44,7 @@ TexelTarget::TexelTarget(int count, int layers, const char* what)
 
 void TexelTarget::fill(const gl::Program& program) const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-    glViewport(0, 0, SUNDER_TEXTURE_WIDTH, rows_);
+    glViewport(0, 0, columns_, rows_);
     program.use();
     glBindVertexArray(noAttributes_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -46,18 +52,18 @@ void TexelTarget::fill(const gl::Program& program) const {
 
 void TexelTarget::write(int layer, std::span<const vec4> texels) {
     std::vector<vec4> all(texels.begin(), texels.end());
-    all.resize(std::size_t{SUNDER_TEXTURE_WIDTH} * static_cast<std::size_t>(rows_));
+    all.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
     glBindTexture(GL_TEXTURE_2D_ARRAY, texture_.id());
-    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, SUNDER_TEXTURE_WIDTH, rows_, 1, GL_RGBA,
-                    GL_FLOAT, all.data());
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, columns_, rows_, 1, GL_RGBA, GL_FLOAT,
+                    all.data());
     glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
 }
 
 std::vector<vec4> TexelTarget::read(int layer) const {
-    std::vector<vec4> all(std::size_t{SUNDER_TEXTURE_WIDTH} * static_cast<std::size_t>(rows_));
+    std::vector<vec4> all(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(layer));
-    glReadPixels(0, 0, SUNDER_TEXTURE_WIDTH, rows_, GL_RGBA, GL_FLOAT, all.data());
+    glReadPixels(0, 0, columns_, rows_, GL_RGBA, GL_FLOAT, all.data());
     all.resize(static_cast<std::size_t>(count_));
     return all;
 }
@@ -66,12 +72,12 @@ void TexelTarget::copy(int layer, const gl::Buffer& buffer) const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(layer));
     glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer.id());
-    glReadPixels(0, 0, SUNDER_TEXTURE_WIDTH, rows_, GL_RGBA, GL_FLOAT, nullptr);
+    glReadPixels(0, 0, columns_, rows_, GL_RGBA, GL_FLOAT, nullptr);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
 
 std::size_t TexelTarget::bufferBytes() const {
-    return sizeof(vec4) * SUNDER_TEXTURE_WIDTH * static_cast<std::size_t>(rows_);
+    return sizeof(vec4) * static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
 }
 
 }  // namespace sunder::gpu

@@ -7,15 +7,19 @@
 
 namespace sunder::gpu {
 
-/// Rows that `count` texels take in a texture of SUNDER_TEXTURE_WIDTH columns. Throws InputError,
-/// naming `what`, where the device's textures are not that large.
-int texelRows(std::int64_t count, const char* what);
+/// Columns for a texture of `count` texels, up to four times as high as wide: rasterisers work on
+/// square blocks, and a software one wastes most of them on a texture of one long row.
+int texelColumns(std::int64_t count);
+
+/// Rows that `count` texels take in a texture of `columns`. Throws InputError, naming `what`, where
+/// the device's textures are not that large.
+int texelRows(std::int64_t count, int columns, const char* what);
 
 /// Records of up to eight vec4s, one record per texel, one layer per vec4: what fragments write and
 /// later passes read.
 class TexelTarget {
   public:
-    TexelTarget(int count, int layers, const char* what);
+    TexelTarget(int count, int columns, int layers, const char* what);
 
     /// GL_TEXTURE_2D_ARRAY, RGBA32F.
     const gl::Texture& texture() const { return texture_; }
@@ -30,7 +34,7 @@ class TexelTarget {
     std::size_t bufferBytes() const;
 
   private:
-    int count_, layers_, rows_;
+    int count_, columns_, rows_;
     gl::Texture texture_;
     gl::Framebuffer framebuffer_;
     gl::VertexArray noAttributes_;
