@@ -11,6 +11,8 @@
 namespace sunder::app {
 namespace {
 
+constexpr double kGpuWarmUp = 0.3;  // s
+
 class Stopwatch {
   public:
     double seconds() const {
@@ -101,6 +103,12 @@ int Contest::leadSteps(const State& start) const {
 
 void Contest::prepare(Lane& lane, const State& start) const {
     lane.solver->setState(start);
+    if (lane.entrant.solver->gpu && !software_) {
+        // A GPU that idled while a CPU solver ran has lowered its clocks: a quarter of the speed.
+        const Stopwatch watch;
+        while (watch.seconds() < kGpuWarmUp) timedRun(lane, scene_.substeps);
+        lane.solver->setState(start);
+    }
     const int lead = leadSteps(start);
     if (lead > 0 && lead * lane.stepSeconds < limits_.secondsPerRun) lane.solver->advance(lead);
     lane.solver->finish();
