@@ -38,13 +38,13 @@ struct EventRecord {
 };
 #define SUNDER_EVENT_TEXELS 3
 
-// One node in the node buffer, written by transform feedback: 8 floats.
+// One node in a node buffer, as transform feedback writes it: 8 floats.
 struct NodeRecord {
     vec4 displacement; // xyz: m from rest; w: rest height, m, carried along for the ground
     vec4 velocity;     // xyz: m/s; w: 0
 };
 
-// One cell in the bond buffer, written by transform feedback: 8 floats, so that texel fetches stay aligned.
+// One cell in a bond buffer: two texels, or two layers of a texture.
 struct BondRecord {
     vec4 damage; // of the bonds through the +x, +y, +z faces; w: 0
     vec4 slow;   // slow part of their tractions, Pa; w: 0

@@ -17,6 +17,7 @@ TEST_CASE("a world larger than the device's textures is refused before anything 
 }
 
 TEST_CASE("textures are wide enough for every cell a world may have, and hardly wider than high") {
+    testContext();
     for (const std::int64_t count : {1L, 64L, 3200L, 32000L, 1600000L, 8L * kMaxCells}) {
         const std::int64_t columns = gpu::texelColumns(count),
                            rows = gpu::texelRows(count, int(columns), "nodes");
