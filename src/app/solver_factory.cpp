@@ -9,8 +9,8 @@ namespace sunder::app {
 
 const std::vector<SolverInfo>& solvers() {
     static const std::vector<SolverInfo> known = {
-        {"gather",
-         "GPU: a fragment per cell and per node, no blending (GL 4.1; the default)", true},
+        {"gather", "GPU: a fragment per cell and per node, no blending (GL 4.1; the default)",
+         true},
         {"scatter", "GPU, the thesis's method: additive blending and transform feedback (GL 4.1)",
          true},
         {"cpu", "several cells per instruction on every core; what is at rest sleeps", false, true},
