@@ -14,7 +14,7 @@ uniform sampler2DArray nodes;  // layer 0: displacement, m; layer 1: velocity, m
 uniform float stepSize;        // s
 
 #if STRESSES
-layout(location = 0) out vec4 newStress[7];  // glsl/gather/stress.glsl
+layout(location = 0) out vec4 newStress[SUNDER_STRESS_LAYERS];  // glsl/gather/stress.glsl
 #else
 layout(location = 0) out vec4 newForces[8];  // xyz: N, on this cell's copies of its nodes
 #endif
@@ -79,7 +79,7 @@ void centralTetrahedron(ElementLaw law, vec3 reciprocal) {
 void main() {
     int cell = fragmentIndex();
 #if STRESSES
-    for (int i = 0; i < 7; ++i) newStress[i] = vec4(0.0);
+    for (int i = 0; i < SUNDER_STRESS_LAYERS; ++i) newStress[i] = vec4(0.0);
 #else
     for (int k = 0; k < 8; ++k) newForces[k] = vec4(0.0);
 #endif

@@ -2,4 +2,3 @@
 //   0..3  (T_xx, T_yy, T_zz, T_xy) of corner tetrahedra 0..3, Pa
 //   4, 5  (T_yz, T_zx) of tetrahedra 0 and 1, of 2 and 3
 //   6     x: largest principal Cauchy stress of the cell, Pa, scaled by S; yzw unused
-#define SUNDER_STRESS_LAYERS 7

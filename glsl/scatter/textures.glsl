@@ -1,8 +1,7 @@
 // Addresses in the scatter solver's float textures.
 #include "physics/lattice.glsl"
 
-// Texels per tetrahedron in the stress texture: (eigenvector, eigenvalue), (T_xx, T_yy, T_zz, –), (T_xy, T_yz, T_zx, –).
-#define SUNDER_STRESS_TEXELS 3
+// The SUNDER_STRESS_TEXELS texels of a tetrahedron: (eigenvector, eigenvalue), (T_xx, T_yy, T_zz, –), (T_xy, T_yz, T_zx, –).
 #define SUNDER_STRESS_PRINCIPAL 0
 #define SUNDER_STRESS_NORMAL 1
 #define SUNDER_STRESS_SHEAR 2

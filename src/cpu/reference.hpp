@@ -34,7 +34,6 @@ class ReferenceSolver : public Solver {
     void breakCells();
     void damageBonds();
     void updateLinks();
-    Vec3 eventAcceleration(int node) const;
     double equivalentTraction(int cell, int axis, const ElementLaw&, double interval);
 
     const World& world_;

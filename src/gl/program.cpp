@@ -10,22 +10,14 @@ void deleteShader(GLuint id) {
 }
 using Shader = Handle<deleteShader>;
 
-std::string shaderLog(GLuint id) {
+/// Log of a shader or a program: glGetShaderiv and glGetShaderInfoLog, or those of programs.
+template <class GetInteger, class GetLog>
+std::string infoLog(GLuint id, GetInteger getInteger, GetLog getLog) {
     GLint length = 0;
-    glGetShaderiv(id, GL_INFO_LOG_LENGTH, &length);
+    getInteger(id, GL_INFO_LOG_LENGTH, &length);
     std::string log(static_cast<std::size_t>(length), '\0');
     GLsizei written = 0;
-    glGetShaderInfoLog(id, length, &written, log.data());
-    log.resize(static_cast<std::size_t>(written));
-    return log;
-}
-
-std::string programLog(GLuint id) {
-    GLint length = 0;
-    glGetProgramiv(id, GL_INFO_LOG_LENGTH, &length);
-    std::string log(static_cast<std::size_t>(length), '\0');
-    GLsizei written = 0;
-    glGetProgramInfoLog(id, length, &written, log.data());
+    getLog(id, length, &written, log.data());
     log.resize(static_cast<std::size_t>(written));
     return log;
 }
@@ -41,8 +33,9 @@ Shader compile(GLenum stage, const std::string& name, const ProgramDescription& 
     GLint compiled = GL_FALSE;
     glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &compiled);
     if (!compiled)
-        throw std::runtime_error("shader " + name + " does not compile:\n" +
-                                 nameFilesInLog(shaderLog(shader.id()), files));
+        throw std::runtime_error(
+            "shader " + name + " does not compile:\n" +
+            nameFilesInLog(infoLog(shader.id(), glGetShaderiv, glGetShaderInfoLog), files));
     return shader;
 }
 
@@ -79,8 +72,9 @@ Program::Program(const ProgramDescription& description) : handle_(glCreateProgra
     GLint linked = GL_FALSE;
     glGetProgramiv(id(), GL_LINK_STATUS, &linked);
     if (!linked)
-        throw std::runtime_error("program " + names + " does not link:\n" +
-                                 nameFilesInLog(programLog(id()), files));
+        throw std::runtime_error(
+            "program " + names + " does not link:\n" +
+            nameFilesInLog(infoLog(id(), glGetProgramiv, glGetProgramInfoLog), files));
 }
 
 void Program::use() const {

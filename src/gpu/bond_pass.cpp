@@ -1,6 +1,5 @@
 #include "gpu/bond_pass.hpp"
 
-#include <algorithm>
 #include <cstddef>
 
 #include "gpu/layout.hpp"
@@ -30,7 +29,7 @@ BondPass::BondPass(const World& world, int textureColumns)
 
 void BondPass::update(const Feedback& feedback) {
     const int next = 1 - current_;
-    feedback.run(fractureProgram_, bonds_[current_].attributes, {&bonds_[next].bonds.buffer()}, 0,
+    feedback.run(fractureProgram_, bonds_[current_].attributes, {&bonds_[next].bonds.buffer()},
                  cellCount_);
     current_ = next;
     updateLinks(feedback);

@@ -55,11 +55,11 @@ Feedback::Feedback()
 
 void Feedback::run(const gl::Program& program, std::initializer_list<const gl::Buffer*> targets,
                    int count) const {
-    run(program, noAttributes_, targets, 0, count);
+    run(program, noAttributes_, targets, count);
 }
 
 void Feedback::run(const gl::Program& program, const gl::VertexArray& attributes,
-                   std::initializer_list<const gl::Buffer*> targets, int first, int count) const {
+                   std::initializer_list<const gl::Buffer*> targets, int count) const {
     // Nothing is rasterised, but without a complete framebuffer the draw would fail and capture
     // nothing.
     glBindFramebuffer(GL_FRAMEBUFFER, target_.id());
@@ -70,7 +70,7 @@ void Feedback::run(const gl::Program& program, const gl::VertexArray& attributes
     for (const gl::Buffer* target : targets)
         glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, index++, target->id());
     glBeginTransformFeedback(GL_POINTS);
-    glDrawArrays(GL_POINTS, first, count);
+    glDrawArrays(GL_POINTS, 0, count);
     glEndTransformFeedback();
     while (index > 0) glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, --index, 0);
     glDisable(GL_RASTERIZER_DISCARD);

@@ -44,7 +44,7 @@ class Feedback {
     /// `targets`: one per buffer the program's varyings go to. Reads vertex attributes from
     /// `attributes`.
     void run(const gl::Program& program, const gl::VertexArray& attributes,
-             std::initializer_list<const gl::Buffer*> targets, int first, int count) const;
+             std::initializer_list<const gl::Buffer*> targets, int count) const;
     /// The same without attributes: the shader fetches by gl_VertexID.
     void run(const gl::Program& program, std::initializer_list<const gl::Buffer*> targets,
              int count) const;

@@ -21,7 +21,7 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
       bonds_{TexelTarget(world.cellCount(), columns_, 2, "bonds"),
              TexelTarget(world.cellCount(), columns_, 2, "bonds")},
       forces_(world.cellCount(), columns_, kCorners, "forces"),
-      stresses_(breakable_ ? world.cellCount() : 1, columns_, 7, "stresses"),
+      stresses_(breakable_ ? world.cellCount() : 1, columns_, SUNDER_STRESS_LAYERS, "stresses"),
       links_(world.cellCount(), columns_, SUNDER_LINK_TEXELS, "links"),
       forceProgram_(texelProgram("gather/element.frag", {{"STRESSES", "0"}})),
       stressProgram_(texelProgram("gather/element.frag", {{"STRESSES", "1"}})),

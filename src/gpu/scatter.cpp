@@ -12,8 +12,6 @@
 namespace sunder::gpu {
 namespace {
 
-constexpr int kStressTexels = 3;  // SUNDER_STRESS_TEXELS in glsl/scatter/textures.glsl
-
 /// The finite element structure of the thesis, chapter 6.
 struct ElementVertex {
     std::int32_t nodes[4];
@@ -27,7 +25,8 @@ void drawBuffers(int count) {
 
 /// Texels of a float texture with room for every node and every tetrahedron's stress.
 std::int64_t texelCount(const World& world) {
-    return std::int64_t{std::max(kCorners, kStressTexels * kTetrahedraPerCell)} * world.cellCount();
+    return std::int64_t{std::max(kCorners, SUNDER_STRESS_TEXELS * kTetrahedraPerCell)} *
+           world.cellCount();
 }
 
 }  // namespace
@@ -198,7 +197,7 @@ void ScatterSolver::updateNodes(int stepInFrame) {
     nodeProgram_.use();
     glUniform1f(stepInFrameUniform_, static_cast<float>(stepInFrame));
     const int next = 1 - currentNodes_;
-    feedback_.run(nodeProgram_, nodes_[currentNodes_].attributes, {&nodes_[next].nodes.buffer()}, 0,
+    feedback_.run(nodeProgram_, nodes_[currentNodes_].attributes, {&nodes_[next].nodes.buffer()},
                   world_.nodeCount());
     currentNodes_ = next;
 }

@@ -17,6 +17,13 @@ gl::Buffer makeRest(const World& world) {
     return gl::makeBuffer<vec4>(rest, GL_STATIC_DRAW, "rest positions");
 }
 
+std::vector<float> restHeights(const World& world) {
+    std::vector<float> heights(world.nodeCount());
+    for (int node = 0; node < world.nodeCount(); ++node)
+        heights[node] = static_cast<float>(world.restPosition(node)[1]);
+    return heights;
+}
+
 gl::Buffer makeCells(const World& world) {
     std::vector<std::uint32_t> cells(world.cellCount());
     for (int cell = 0; cell < world.cellCount(); ++cell) {
@@ -87,15 +94,14 @@ WorldBuffers::WorldBuffers(const World& world)
       strengthTexture_(gl::makeBufferTexture(strengthBuffer_, GL_RGBA32F, "bond strengths")) {}
 
 NodeBuffer::NodeBuffer(const World& world)
-    : world_(world),
+    : restHeights_(restHeights(world)),
       buffer_(sizeof(NodeRecord) * world.nodeCount(), nullptr, GL_DYNAMIC_COPY, "nodes"),
       texture_(gl::makeBufferTexture(buffer_, GL_RGBA32F, "nodes")) {}
 
 void NodeBuffer::write(const State& state) {
     std::vector<NodeRecord> nodes(state.displacement.size());
     for (std::size_t i = 0; i < nodes.size(); ++i)
-        nodes[i] = {toVec4(state.displacement[i], world_.restPosition(static_cast<int>(i))[1]),
-                    toVec4(state.velocity[i], 0)};
+        nodes[i] = {toVec4(state.displacement[i], restHeights_[i]), toVec4(state.velocity[i], 0)};
     buffer_.write(0, sizeof(NodeRecord) * nodes.size(), nodes.data());
 }
 

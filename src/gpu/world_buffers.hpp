@@ -35,7 +35,7 @@ class WorldBuffers {
 /// everything else reads.
 class NodeBuffer {
   public:
-    explicit NodeBuffer(const World&);  ///< contents undefined; the world must outlive it
+    explicit NodeBuffer(const World&);  ///< contents undefined
     const gl::Buffer& buffer() const { return buffer_; }
     /// RGBA32F, 2 texels per node.
     const gl::Texture& texture() const { return texture_; }
@@ -43,7 +43,7 @@ class NodeBuffer {
     void read(State&) const;  ///< waits for the GPU
 
   private:
-    const World& world_;
+    std::vector<float> restHeights_;  ///< m, per node; they travel with every record
     gl::Buffer buffer_;
     gl::Texture texture_;
 };
