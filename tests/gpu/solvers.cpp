@@ -5,11 +5,6 @@
 
 using namespace sunder;
 
-gl::Context& testContext() {
-    static const std::unique_ptr<gl::Context> context = gl::createHeadlessContext();
-    return *context;
-}
-
 namespace {
 
 /// Keeps the world's buffers alive, and turns every GL error into a failed test.

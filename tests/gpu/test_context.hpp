@@ -1,6 +1,6 @@
 #pragma once
 #include "gl/context.hpp"
 
-/// The context all gpu tests of a process share. A test that cannot have one fails, with the
-/// reason.
+/// The context of the running test case, made when first asked for. A test that cannot have one
+/// fails, with the reason.
 sunder::gl::Context& testContext();
