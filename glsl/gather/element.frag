@@ -7,6 +7,7 @@
 #include "physics/lattice.glsl"
 #include "physics/elasticity.glsl"
 #if STRESSES
+#include "gather/stress.glsl"
 #include "physics/eigen.glsl"
 #endif
 
@@ -14,14 +15,14 @@ uniform sampler2DArray nodes;  // layer 0: displacement, m; layer 1: velocity, m
 uniform float stepSize;        // s
 
 #if STRESSES
-layout(location = 0) out vec4 newStress[SUNDER_STRESS_LAYERS];  // glsl/gather/stress.glsl
+layout(location = 0) out vec4 newStress[kStressLayers];
 #else
 layout(location = 0) out vec4 newForces[8];  // xyz: N, on this cell's copies of its nodes
 #endif
 
 vec3 u[8], v[8], f[8];
 
-#if STRESSES
+#if STRESSES && CELLS_BREAK
 float largestPrincipal = -1.0e30;
 
 void addPrincipal(ElementLaw law, mat3 F, mat3 piola) {
@@ -47,7 +48,7 @@ ElementStress cornerTetrahedron(ElementLaw law, int a, int x, int y, int z, vec3
     f[y] += fy;
     f[z] += fz;
     f[a] -= fx + fy + fz;
-#if STRESSES
+#if STRESSES && CELLS_BREAK
     addPrincipal(law, F, stress.piola);
 #endif
     return stress;
@@ -71,7 +72,7 @@ void centralTetrahedron(ElementLaw law, vec3 reciprocal) {
     f[3] += fx + fy - fz;
     f[5] += fx - fy + fz;
     f[6] += fy + fz - fx;
-#if STRESSES
+#if STRESSES && CELLS_BREAK
     addPrincipal(law, F, stress.piola);
 #endif
 }
@@ -79,11 +80,10 @@ void centralTetrahedron(ElementLaw law, vec3 reciprocal) {
 void main() {
     int cell = fragmentIndex();
 #if STRESSES
-    for (int i = 0; i < SUNDER_STRESS_LAYERS; ++i) newStress[i] = vec4(0.0);
+    for (int i = 0; i < kStressLayers; ++i) newStress[i] = vec4(0.0);
 #else
     for (int k = 0; k < 8; ++k) newForces[k] = vec4(0.0);
 #endif
-    if (cell >= cellCount) return;
     uint record = cellRecord(cell);
     uint lawIndex = lawOf(record);
     if (lawIndex == SUNDER_ABSENT) return;
@@ -104,7 +104,11 @@ void main() {
     ElementStress s4 = cornerTetrahedron(law, 4, 5, 6, 0, vec3(r.x, r.y, -r.z));
     ElementStress s7 = cornerTetrahedron(law, 7, 6, 5, 3, vec3(-r.x, -r.y, -r.z));
 #if STRESSES
-    if (law.fracture.x < SUNDER_UNBREAKABLE) centralTetrahedron(law, r);
+#if CELLS_BREAK
+    centralTetrahedron(law, r);
+    newStress[kPrincipalLayer].x = largestPrincipal;
+#endif
+#if BONDS_BREAK
     mat3 T0 = biotStress(s1), T1 = biotStress(s2), T2 = biotStress(s4), T3 = biotStress(s7);
     newStress[0] = vec4(T0[0][0], T0[1][1], T0[2][2], T0[0][1]);
     newStress[1] = vec4(T1[0][0], T1[1][1], T1[2][2], T1[0][1]);
@@ -112,7 +116,7 @@ void main() {
     newStress[3] = vec4(T3[0][0], T3[1][1], T3[2][2], T3[0][1]);
     newStress[4] = vec4(T0[1][2], T0[2][0], T1[1][2], T1[2][0]);
     newStress[5] = vec4(T2[1][2], T2[2][0], T3[1][2], T3[2][0]);
-    newStress[6] = vec4(largestPrincipal, 0.0, 0.0, 0.0);
+#endif
 #else
     centralTetrahedron(law, r);
     for (int k = 0; k < 8; k += 2) {

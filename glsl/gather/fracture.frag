@@ -6,27 +6,38 @@
 uniform sampler2DArray stresses;  // layers of a stress record
 uniform sampler2DArray bonds;     // layers of BondRecord
 
-layout(location = 0) out vec4 newDamage;
+uniform bool newWatch;  // this is the first update since bodies were last looked at for rest
+
+layout(location = 0) out vec4 newDamage;  // w: 1 where damage grew since then
 layout(location = 1) out vec4 newSlow;
 
 vec4 stressLayer(int cell, int layer) { return texelFetch(stresses, ivec3(texelAddress(cell), layer), 0); }
 
-float principalStress(int cell) { return stressLayer(cell, 6).x; }
+float principalStress(int cell) {
+#if CELLS_BREAK
+    return stressLayer(cell, kPrincipalLayer).x;
+#else
+    return 0.0;
+#endif
+}
 
 mat3 biot(int cell, int tetrahedron) {
+#if BONDS_BREAK
     vec4 a = stressLayer(cell, tetrahedron), pair = stressLayer(cell, 4 + tetrahedron / 2);
     vec2 b = tetrahedron % 2 == 0 ? pair.xy : pair.zw;
     return mat3(a.x, a.w, b.y, a.w, a.y, b.x, b.y, b.x, a.z);
+#else
+    return mat3(0.0);
+#endif
 }
 
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
     newDamage = texelFetch(bonds, ivec3(texel, 0), 0);
     newSlow = texelFetch(bonds, ivec3(texel, 1), 0);
-    int cell = fragmentIndex();
-    if (cell >= cellCount) return;
-    vec3 d = newDamage.xyz, s = newSlow.xyz;
-    updateBonds(cell, d, s);
-    newDamage.xyz = d;
+    vec3 before = newDamage.xyz, d = before, s = newSlow.xyz;
+    updateBonds(fragmentIndex(), d, s);
+    bool grew = any(notEqual(d, before)) || (!newWatch && newDamage.w > 0.0);
+    newDamage = vec4(d, grew ? 1.0 : 0.0);
     newSlow.xyz = s;
 }

@@ -11,10 +11,7 @@ layout(location = 2) out vec4 newInverseMassHigh;
 vec3 damageOf(int cell) { return texelFetch(bonds, ivec3(texelAddress(cell), 0), 0).xyz; }
 
 void main() {
-    newMasks = newInverseMassLow = newInverseMassHigh = vec4(0.0);
-    int cell = fragmentIndex();
-    if (cell >= cellCount) return;
-    LinkRecord links = joints(cell);
+    LinkRecord links = joints(fragmentIndex());
     newMasks = links.masks;
     newInverseMassLow = links.inverseMassLow;
     newInverseMassHigh = links.inverseMassHigh;

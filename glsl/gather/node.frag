@@ -5,7 +5,7 @@
 #include "physics/events.glsl"
 #include "physics/integrate.glsl"
 
-uniform sampler2DArray nodes;   // layer 0: xyz displacement, m; w: rest height, m, carried along for the ground; layer 1: velocity
+uniform sampler2DArray nodes;   // layer 0: xyz displacement, m; w: rest height, m, carried along for the ground; layer 1: velocity, largest speed
 uniform sampler2DArray forces;  // per cell, one layer per corner: N, on one copy
 uniform sampler2DArray links;   // layers of LinkRecord
 #if EVENTS
@@ -13,15 +13,16 @@ uniform samplerBuffer rest;  // xyz: rest position, m
 uniform float stepInFrame;
 #endif
 
+uniform bool newWatch;  // this is the first step since bodies were last looked at for rest
+
 layout(location = 0) out vec4 newDisplacement;
-layout(location = 1) out vec4 newVelocity;
+layout(location = 1) out vec4 newVelocity;  // w: largest squared speed since then, m²/s²
 
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
     newDisplacement = texelFetch(nodes, ivec3(texel, 0), 0);
     newVelocity = vec4(0.0);
     int node = fragmentIndex(), cell = node >> 3, corner = node & 7;
-    if (cell >= cellCount) return;  // what is left of the last row
     ivec2 cellTexel = texelAddress(cell);
     float inverseMass = texelFetch(links, ivec3(cellTexel, corner < 4 ? 1 : 2), 0)[corner & 3];
     if (inverseMass == 0.0) return;  // anchored, or no cell here
@@ -43,8 +44,9 @@ void main() {
 #if EVENTS
     acceleration += eventAcceleration(body.events.xy, texelFetch(rest, node).xyz, stepInFrame);
 #endif
-    vec3 u = newDisplacement.xyz, v = texelFetch(nodes, ivec3(texel, 1), 0).xyz;
+    vec4 old = texelFetch(nodes, ivec3(texel, 1), 0);
+    vec3 u = newDisplacement.xyz, v = old.xyz;
     integrateNode(u, v, acceleration, body.gravity.w, body.cellSize.w, newDisplacement.w);
     newDisplacement.xyz = u;
-    newVelocity.xyz = v;
+    newVelocity = vec4(v, newWatch ? dot(v, v) : max(dot(v, v), old.w));
 }

@@ -60,5 +60,3 @@ struct LinkRecord {
 
 // Texels per tetrahedron in the scatter solver's stress texture (glsl/scatter/textures.glsl).
 #define SUNDER_STRESS_TEXELS 3
-// Layers of the gather solver's stresses, one texel per cell (glsl/gather/stress.glsl).
-#define SUNDER_STRESS_LAYERS 7

@@ -18,6 +18,8 @@ class Solver {
     virtual State state() const = 0;
     /// `state` must come from the same world.
     virtual void setState(const State& state) = 0;
+    /// Whether a body is at rest and costs nothing (core/sleep.hpp); solvers may never let one.
+    virtual bool asleep([[maybe_unused]] int body) const { return false; }
 };
 
 }  // namespace sunder

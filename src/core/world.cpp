@@ -254,10 +254,13 @@ void World::makeEvents() {
     }
 }
 
-bool World::breakable() const {
-    const auto finite = [](auto value) { return std::isfinite(value); };
-    return std::any_of(bondStrength_.begin(), bondStrength_.end(), finite) ||
-           std::any_of(laws_.begin(), laws_.end(),
+bool World::bondsBreak() const {
+    return std::any_of(bondStrength_.begin(), bondStrength_.end(),
+                       [](float strength) { return std::isfinite(strength); });
+}
+
+bool World::cellsBreak() const {
+    return std::any_of(laws_.begin(), laws_.end(),
                        [](const ElementLaw& law) { return std::isfinite(law.maxStress); });
 }
 

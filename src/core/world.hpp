@@ -179,8 +179,11 @@ class World {
     /// Pa; infinite where nothing but whole-cell fracture can break the bond.
     float bondStrength(int bond) const { return bondStrength_[bond]; }
 
-    /// Whether anything in this world can break at all.
-    bool breakable() const;
+    /// Whether any bond can break by its traction (`fracture = "bond"`).
+    bool bondsBreak() const;
+    /// Whether any cell can leave its neighbours (`fracture = "cell"`).
+    bool cellsBreak() const;
+    bool breakable() const { return bondsBreak() || cellsBreak(); }
 
     State initialState() const;
 

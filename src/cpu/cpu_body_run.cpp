@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cpu/cpu_solver.hpp"
 
 namespace sunder::cpu {
 
@@ -25,9 +24,8 @@ BodyRun::BodyRun(const World& world, int index, const std::vector<Law>& laws)
     }
     pushes_.reserve(patches_.size());
     reach_ = (a.reach + kLanes - 1) / kLanes;
-    const double calmSpeed = CpuSolver::kSleepSpeed * body.cellSize.minCoeff();
-    calmSpeed2_ = static_cast<float>(calmSpeed * calmSpeed);
-    sleepSteps_ = static_cast<int>(std::ceil(CpuSolver::kSleepDelay / world.step()));
+    calmSpeed2_ = static_cast<float>(calmSpeed(body) * calmSpeed(body));
+    sleepSteps_ = sunder::sleepSteps(world);
 }
 
 std::size_t BodyRun::bytes() const {
@@ -81,14 +79,6 @@ void BodyRun::gatherPushes(std::int64_t step) {
         const Eigen::Vector3f a = (weight * event.acceleration).cast<float>();
         pushes_.push_back({patch.corners.data(), {a[0], a[1], a[2]}});
     }
-}
-
-bool BodyRun::pushedWithin(std::int64_t from, int steps) const {
-    return std::any_of(patches_.begin(), patches_.end(), [&](const Patch& patch) {
-        const Event& event = world_.events()[patch.event];
-        return event.start < static_cast<double>(from + steps) &&
-               event.end > static_cast<double>(from);
-    });
 }
 
 void BodyRun::updateSleep(bool calm) {

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/sleep.hpp"
 #include "cpu/cpu_body.hpp"
 #include "cpu/cpu_kernels.hpp"
 
@@ -44,7 +45,6 @@ class BodyRun {
     };
     Inner inner(int first, int end) const;
     void gatherPushes(std::int64_t step);
-    bool pushedWithin(std::int64_t from, int steps) const;
     void updateSleep(bool calm);
 
     const World& world_;
@@ -60,7 +60,7 @@ class BodyRun {
 
 template <class Split>
 void BodyRun::advance(std::int64_t from, int steps, const Split& split) {
-    if (asleep_ && !pushedWithin(from, steps)) return;
+    if (asleep_ && !pushedWithin(world_, storage_.arrays().index, from, from + steps)) return;
     const int interval = world_.description().fractureInterval;
     BodyArrays& body = storage_.arrays();
     const bool breaks = body.bondsBreak || body.cellsBreak;

@@ -3,9 +3,10 @@
 namespace sunder::gpu {
 namespace {
 
-constexpr const char* kSamplers[kUnitCount] = {"cells",    "bodies",           "rest",     "nodes",
-                                               "bonds",    "events",           "links",    "forces",
-                                               "stresses", "cumulativeForces", "strengths"};
+constexpr const char* kSamplers[kUnitCount] = {
+    "cells",     "bodies",     "rest",   "nodes",    "bonds",
+    "events",    "links",      "forces", "stresses", "cumulativeForces",
+    "strengths", "rectangles", "chunks", "records"};
 constexpr int kLawBinding = 0;
 
 }  // namespace
@@ -14,7 +15,6 @@ void setConstants(const gl::Program& program, const World& world, int textureCol
     program.bindUniformBlock("ElementLaws", kLawBinding);
     for (int unit = 0; unit < kUnitCount; ++unit) program.bindSampler(kSamplers[unit], unit);
     glUniform1i(program.uniform("textureWidth"), textureColumns);
-    glUniform1i(program.uniform("cellCount"), world.cellCount());
     const auto h = static_cast<float>(world.step());
     glUniform1f(program.uniform("stepSize"), h);
     glUniform1f(program.uniform("interval"),

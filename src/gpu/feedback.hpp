@@ -19,6 +19,9 @@ enum Unit {
     kStresses,
     kCumulative,
     kStrengths,
+    kRectangles,
+    kChunks,
+    kRecords,
     kUnitCount
 };
 

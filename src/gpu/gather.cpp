@@ -1,11 +1,27 @@
 #include "gpu/gather.hpp"
 
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/sleep.hpp"
+
 namespace sunder::gpu {
 namespace {
 
-gl::Program texelProgram(const char* fragment, gl::Defines defines = {}) {
-    return gl::Program(
-        {.vertex = "gather/texels.vert", .fragment = fragment, .defines = std::move(defines)});
+gl::Defines breakDefines(const World& world) {
+    return {{"BONDS_BREAK", world.bondsBreak() ? "1" : "0"},
+            {"CELLS_BREAK", world.cellsBreak() ? "1" : "0"}};
+}
+
+gl::Defines with(gl::Defines defines, const char* name, const char* value) {
+    defines.push_back({name, value});
+    return defines;
+}
+
+/// Layers of glsl/gather/stress.glsl.
+int stressLayers(const World& world) {
+    return std::max(1, 6 * world.bondsBreak() + world.cellsBreak());
 }
 
 }  // namespace
@@ -21,31 +37,50 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
       bonds_{TexelTarget(world.cellCount(), columns_, 2, "bonds"),
              TexelTarget(world.cellCount(), columns_, 2, "bonds")},
       forces_(world.cellCount(), columns_, kCorners, "forces"),
-      stresses_(breakable_ ? world.cellCount() : 1, columns_, SUNDER_STRESS_LAYERS, "stresses"),
+      stresses_(breakable_ ? world.cellCount() : 1, columns_, stressLayers(world), "stresses"),
       links_(world.cellCount(), columns_, SUNDER_LINK_TEXELS, "links"),
-      forceProgram_(texelProgram("gather/element.frag", {{"STRESSES", "0"}})),
-      stressProgram_(texelProgram("gather/element.frag", {{"STRESSES", "1"}})),
-      bondProgram_(texelProgram("gather/fracture.frag")),
-      linkProgram_(texelProgram("gather/links.frag")),
-      nodePrograms_{texelProgram("gather/node.frag", {{"EVENTS", "0"}}),
-                    texelProgram("gather/node.frag", {{"EVENTS", "1"}})} {
-    for (const gl::Program* program : {&forceProgram_, &stressProgram_, &bondProgram_,
-                                       &linkProgram_, &nodePrograms_[0], &nodePrograms_[1]})
-        setConstants(*program, world, columns_);
-    stepInFrameUniform_ = nodePrograms_[1].uniform("stepInFrame");
+      forceProgram_(texelProgram("gather/element.frag", forces_, {{"STRESSES", "0"}})),
+      linkProgram_(texelProgram("gather/links.frag", links_)),
+      nodePrograms_{texelProgram("gather/node.frag", nodes_[0], {{"EVENTS", "0"}}),
+                    texelProgram("gather/node.frag", nodes_[0], {{"EVENTS", "1"}})},
+      stillNodeProgram_(texelProgram("gather/still.frag", nodes_[0], {{"NODES", "1"}})),
+      stillBondProgram_(texelProgram("gather/still.frag", bonds_[0], {{"NODES", "0"}})),
+      stepInFrameUniform_(nodePrograms_[1].uniform("stepInFrame")),
+      bodies_(world.bodies().size(), BodyState::Awake),
+      awake_(world.bodies().size()),
+      monitor_(world, columns_) {
+    if (breakable_) {
+        const gl::Defines defines = breakDefines(world);
+        stressProgram_ =
+            texelProgram("gather/element.frag", stresses_, with(defines, "STRESSES", "1"));
+        bondProgram_ = texelProgram("gather/fracture.frag", bonds_[0], defines);
+        bondWatchUniform_ = bondProgram_.uniform("newWatch");
+    }
+    for (int i = 0; i < 2; ++i) nodeWatchUniforms_[i] = nodePrograms_[i].uniform("newWatch");
     setState(world.initialState());
+}
+
+gl::Program GatherSolver::texelProgram(const char* fragment, const TexelTarget& target,
+                                       gl::Defines defines) const {
+    gl::Program program(
+        {.vertex = "gather/texels.vert", .fragment = fragment, .defines = std::move(defines)});
+    setConstants(program, world_, columns_);
+    target.prepare(program);
+    return program;
 }
 
 State GatherSolver::state() const {
     State state = world_.initialState();
     state.step = step_;
-    const std::vector<vec4> u = nodes_[currentNodes_].read(0), v = nodes_[currentNodes_].read(1);
+    const TexelRange nodes{0, world_.nodeCount()}, cells{0, world_.cellCount()};
+    const std::vector<vec4> u = nodes_[currentNodes_].read(0, nodes),
+                            v = nodes_[currentNodes_].read(1, nodes);
     for (int node = 0; node < world_.nodeCount(); ++node) {
         state.displacement[node] = {u[node].x, u[node].y, u[node].z};
         state.velocity[node] = {v[node].x, v[node].y, v[node].z};
     }
-    const std::vector<vec4> damage = bonds_[currentBonds_].read(0),
-                            slow = bonds_[currentBonds_].read(1);
+    const std::vector<vec4> damage = bonds_[currentBonds_].read(0, cells),
+                            slow = bonds_[currentBonds_].read(1, cells);
     for (int cell = 0; cell < world_.cellCount(); ++cell)
         for (int axis = 0; axis < kBondsPerCell; ++axis) {
             state.damage[kBondsPerCell * cell + axis] = damage[cell][axis];
@@ -67,12 +102,35 @@ void GatherSolver::setState(const State& state) {
         damage.push_back(toVec4({d[0], d[1], d[2]}, 0));
         slow.push_back(toVec4({s[0], s[1], s[2]}, 0));
     }
-    nodes_[currentNodes_].write(0, u);
-    nodes_[currentNodes_].write(1, v);
-    bonds_[currentBonds_].write(0, damage);
-    bonds_[currentBonds_].write(1, slow);
-    bindWorld(buffers_);
+    nodes_[currentNodes_].write(0, 0, u);
+    nodes_[currentNodes_].write(1, 0, v);
+    bonds_[currentBonds_].write(0, 0, damage);
+    bonds_[currentBonds_].write(1, 0, slow);
+    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
+        bodies_[body] = BodyState::Awake;
+        monitor_.disturb(body, step_);
+    }
+    bodiesChanged();
+    bindInputs();
     updateLinks();
+}
+
+/// Bodies that are neighbours in the numbering become one range.
+void GatherSolver::BodyRanges::set(const World& world, const std::vector<int>& bodies,
+                                   int columns) {
+    std::vector<TexelRange> cellRanges, nodeRanges;
+    for (const int index : bodies) {
+        const Body& body = world.bodies()[index];
+        const int end = body.firstCell + body.cellCount();
+        if (!cellRanges.empty() && cellRanges.back().end == body.firstCell)
+            cellRanges.back().end = end;
+        else
+            cellRanges.push_back({body.firstCell, end});
+    }
+    for (const TexelRange& range : cellRanges)
+        nodeRanges.push_back({kCorners * range.first, kCorners * range.end});
+    cells.set(cellRanges, columns);
+    nodes.set(nodeRanges, columns);
 }
 
 void GatherSolver::Copy::update(const TexelTarget& from, int layer, const char* what) {
@@ -93,18 +151,26 @@ void GatherSolver::finish() {
     glFinish();
 }
 
-void GatherSolver::advance(int steps) {
-    const bool events = events_.write(step_, steps);
+void GatherSolver::bindInputs() const {
     bindWorld(buffers_);
     gl::bindTexture(kEvents, GL_TEXTURE_BUFFER, events_.texture());
     gl::bindTexture(kLinks, GL_TEXTURE_2D_ARRAY, links_.texture());
     gl::bindTexture(kForces, GL_TEXTURE_2D_ARRAY, forces_.texture());
     gl::bindTexture(kStresses, GL_TEXTURE_2D_ARRAY, stresses_.texture());
+    gl::bindTexture(kNodes, GL_TEXTURE_2D_ARRAY, nodes_[currentNodes_].texture());
+    gl::bindTexture(kBonds, GL_TEXTURE_2D_ARRAY, bonds_[currentBonds_].texture());
+}
+
+void GatherSolver::advance(int steps) {
+    const bool events = events_.write(step_, steps);
+    bindInputs();
     for (int i = 0; i < steps; ++i, ++step_) {
-        gl::bindTexture(kNodes, GL_TEXTURE_2D_ARRAY, nodes_[currentNodes_].texture());
+        if (step_ >= nextWake_) wakePushed();
+        if (awake_.cells.rectangles() == 0) continue;
+        if (step_ % monitor_.interval() == 0) watch();
         {
             const TimedPass timed(passTimer_, "elements");
-            forces_.fill(forceProgram_);
+            forces_.fill(forceProgram_, awake_.cells);
         }
         // Stresses are those before the nodes move; what they break shows in the links of the next
         // step.
@@ -118,27 +184,80 @@ void GatherSolver::advance(int steps) {
 void GatherSolver::updateBonds() {
     {
         const TimedPass timed(passTimer_, "stresses");
-        stresses_.fill(stressProgram_);
+        stresses_.fill(stressProgram_, awake_.cells);
     }
     const TimedPass timed(passTimer_, "bonds");
-    gl::bindTexture(kBonds, GL_TEXTURE_2D_ARRAY, bonds_[currentBonds_].texture());
+    bondProgram_.use();
+    glUniform1i(bondWatchUniform_, std::exchange(newBondWatch_, false));
     currentBonds_ = 1 - currentBonds_;
-    bonds_[currentBonds_].fill(bondProgram_);
+    bonds_[currentBonds_].fill(bondProgram_, awake_.cells);
+    gl::bindTexture(kBonds, GL_TEXTURE_2D_ARRAY, bonds_[currentBonds_].texture());
 }
 
 void GatherSolver::updateLinks() {
     const TimedPass timed(passTimer_, "links");
-    gl::bindTexture(kBonds, GL_TEXTURE_2D_ARRAY, bonds_[currentBonds_].texture());
-    links_.fill(linkProgram_);
+    links_.fill(linkProgram_, awake_.cells);
 }
 
 void GatherSolver::updateNodes(bool events, int stepInFrame) {
     const TimedPass timed(passTimer_, "nodes");
     const gl::Program& program = nodePrograms_[events];
     program.use();
+    glUniform1i(nodeWatchUniforms_[events], std::exchange(newNodeWatch_, false));
     if (events) glUniform1f(stepInFrameUniform_, static_cast<float>(stepInFrame));
     currentNodes_ = 1 - currentNodes_;
-    nodes_[currentNodes_].fill(program);
+    nodes_[currentNodes_].fill(program, awake_.nodes);
+    gl::bindTexture(kNodes, GL_TEXTURE_2D_ARRAY, nodes_[currentNodes_].texture());
+}
+
+/// Looks for bodies that have come to rest.
+void GatherSolver::watch() {
+    std::vector<int> calm;
+    {
+        const TimedPass timed(passTimer_, "rest");
+        calm = monitor_.look(step_);
+    }
+    newNodeWatch_ = newBondWatch_ = true;
+    std::erase_if(calm, [&](int body) { return bodies_[body] != BodyState::Awake; });
+    if (!calm.empty()) fallAsleep(calm);
+}
+
+/// Their velocities become zero, and both halves of the ping-pong the same: the passes no longer
+/// touch them.
+void GatherSolver::fallAsleep(const std::vector<int>& calm) {
+    BodyRanges falling(calm.size());
+    falling.set(world_, calm, columns_);
+    const auto copy = [](const gl::Program& program, const TexelTarget& from, const TexelTarget& to,
+                         const TexelRanges& ranges) {
+        gl::bindTexture(kRecords, GL_TEXTURE_2D_ARRAY, from.texture());
+        to.fill(program, ranges);
+    };
+    const TexelTarget &nodes = nodes_[currentNodes_], &otherNodes = nodes_[1 - currentNodes_];
+    copy(stillNodeProgram_, nodes, otherNodes, falling.nodes);
+    copy(stillNodeProgram_, otherNodes, nodes, falling.nodes);
+    copy(stillBondProgram_, bonds_[currentBonds_], bonds_[1 - currentBonds_], falling.cells);
+    for (const int body : calm) bodies_[body] = BodyState::Asleep;
+    bodiesChanged();
+}
+
+void GatherSolver::wakePushed() {
+    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
+        if (bodies_[body] == BodyState::Asleep && pushedWithin(world_, body, step_, step_ + 1)) {
+            bodies_[body] = BodyState::Awake;
+            monitor_.disturb(body, step_);
+        }
+    bodiesChanged();
+}
+
+void GatherSolver::bodiesChanged() {
+    std::vector<int> awake;
+    nextWake_ = std::numeric_limits<std::int64_t>::max();
+    for (int index = 0; index < static_cast<int>(bodies_.size()); ++index) {
+        if (bodies_[index] == BodyState::Awake) awake.push_back(index);
+        if (bodies_[index] == BodyState::Asleep)
+            nextWake_ = std::min(nextWake_, nextPush(world_, index, step_));
+    }
+    awake_.set(world_, awake, columns_);
 }
 
 }  // namespace sunder::gpu

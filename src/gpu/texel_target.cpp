@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/types.hpp"
+#include "gpu/feedback.hpp"
 
 namespace sunder::gpu {
 
@@ -24,8 +25,7 @@ int texelRows(std::int64_t count, int columns, const char* what) {
 }
 
 TexelTarget::TexelTarget(int count, int columns, int layers, const char* what)
-    : count_(count),
-      columns_(columns),
+    : columns_(columns),
       rows_(texelRows(count, columns, what)),
       texture_(gl::makeTextureArray(columns, rows_, layers, GL_RGBA32F, what)),
       framebuffer_(gl::makeFramebuffer()),
@@ -42,30 +42,43 @@ TexelTarget::TexelTarget(int count, int columns, int layers, const char* what)
             "the driver cannot draw into floating-point textures, which the gather solver needs");
 }
 
-void TexelTarget::fill(const gl::Program& program) const {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-    glViewport(0, 0, columns_, rows_);
+void TexelTarget::prepare(const gl::Program& program) const {
     program.use();
-    glBindVertexArray(noAttributes_.id());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glUniform2i(program.uniform("targetSize"), columns_, rows_);
 }
 
-void TexelTarget::write(int layer, std::span<const vec4> texels) {
-    std::vector<vec4> all(texels.begin(), texels.end());
-    all.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+void TexelTarget::fill(const gl::Program& program, const TexelRanges& ranges) const {
+    if (ranges.rectangles() == 0) return;
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glViewport(0, 0, columns_, rows_);
+    gl::bindTexture(kRectangles, GL_TEXTURE_BUFFER, ranges.texture());
+    program.use();
+    glBindVertexArray(noAttributes_.id());
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 6, ranges.rectangles());
+}
+
+void TexelTarget::write(int layer, int first, std::span<const vec4> texels) {
     glBindTexture(GL_TEXTURE_2D_ARRAY, texture_.id());
-    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, columns_, rows_, 1, GL_RGBA, GL_FLOAT,
-                    all.data());
+    const vec4* from = texels.data();
+    for (const auto& [x0, y0, x1, y1] :
+         rectanglesOf({first, first + static_cast<int>(texels.size())}, columns_)) {
+        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, x0, y0, layer, x1 - x0, y1 - y0, 1, GL_RGBA,
+                        GL_FLOAT, from);
+        from += (x1 - x0) * (y1 - y0);
+    }
     glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
 }
 
-std::vector<vec4> TexelTarget::read(int layer) const {
-    std::vector<vec4> all(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+std::vector<vec4> TexelTarget::read(int layer, TexelRange range) const {
+    std::vector<vec4> texels(static_cast<std::size_t>(range.end - range.first));
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(layer));
-    glReadPixels(0, 0, columns_, rows_, GL_RGBA, GL_FLOAT, all.data());
-    all.resize(static_cast<std::size_t>(count_));
-    return all;
+    vec4* to = texels.data();
+    for (const auto& [x0, y0, x1, y1] : rectanglesOf(range, columns_)) {
+        glReadPixels(x0, y0, x1 - x0, y1 - y0, GL_RGBA, GL_FLOAT, to);
+        to += (x1 - x0) * (y1 - y0);
+    }
+    return texels;
 }
 
 void TexelTarget::copy(int layer, const gl::Buffer& buffer) const {

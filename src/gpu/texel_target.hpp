@@ -4,6 +4,7 @@
 
 #include "gl/program.hpp"
 #include "gpu/layout.hpp"
+#include "gpu/texel_ranges.hpp"
 
 namespace sunder::gpu {
 
@@ -23,18 +24,22 @@ class TexelTarget {
 
     /// GL_TEXTURE_2D_ARRAY, RGBA32F.
     const gl::Texture& texture() const { return texture_; }
-    /// Runs a program whose vertex shader is gather/texels.vert: a fragment for every texel.
-    void fill(const gl::Program& program) const;
+    /// Once for every program that is to fill this target or one of its size: tells it the size.
+    void prepare(const gl::Program& program) const;
+    /// Runs a program whose vertex shader is gather/texels.vert: a fragment for every texel in
+    /// `ranges`.
+    void fill(const gl::Program& program, const TexelRanges& ranges) const;
 
-    /// `texels`: `count` of them. Waits for the GPU, as read() does.
-    void write(int layer, std::span<const vec4> texels);
-    std::vector<vec4> read(int layer) const;
+    /// Replaces texels from number `first` on.
+    void write(int layer, int first, std::span<const vec4> texels);
+    /// Waits for the GPU.
+    std::vector<vec4> read(int layer, TexelRange range) const;
     /// Copies a layer within the GPU to the start of a buffer of at least bufferBytes().
     void copy(int layer, const gl::Buffer& buffer) const;
     std::size_t bufferBytes() const;
 
   private:
-    int count_, columns_, rows_;
+    int columns_, rows_;
     gl::Texture texture_;
     gl::Framebuffer framebuffer_;
     gl::VertexArray noAttributes_;

@@ -20,6 +20,7 @@ class Checked : public Solver {
         return state;
     }
     void setState(const State& state) override { solver_.setState(state); }
+    bool asleep(int body) const override { return solver_.asleep(body); }
 
   private:
     gpu::WorldBuffers buffers_;
@@ -35,6 +36,6 @@ std::unique_ptr<Solver> makeChecked(const World& world) {
 }  // namespace
 
 std::vector<SolverUnderTest> solversUnderTest() {
-    return {{"gather", makeChecked<gpu::GatherSolver>, 6e-8},
+    return {{"gather", makeChecked<gpu::GatherSolver>, 6e-8, true},
             {"scatter", makeChecked<gpu::ScatterSolver>, 6e-8}};
 }

@@ -13,6 +13,7 @@ struct SolverUnderTest {
     /// `world` must outlive the solver.
     std::function<std::unique_ptr<sunder::Solver>(const sunder::World& world)> make;
     double epsilon;  ///< unit roundoff of its arithmetic; tolerances are stated in multiples of it
+    bool sleeps = false;  ///< lets bodies at rest sleep
 };
 
 std::vector<SolverUnderTest> solversUnderTest();

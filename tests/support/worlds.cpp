@@ -38,6 +38,16 @@ Material brittle() {
     return m;
 }
 
+EventDescription hit(int body, const Vec3& point, const Vec3& velocity) {
+    EventDescription event;
+    event.kind = EventDescription::Kind::Velocity;
+    event.body = body;
+    event.point = point;
+    event.radius = 0.25;
+    event.vector = velocity;
+    return event;
+}
+
 double Random::operator()() {
     return 2 * hashUniform(seed_, counter_++, 0) - 1;
 }

@@ -13,6 +13,10 @@ sunder::Material softElastic();
 /// Breaks by bonds at tractions a hit of a few m/s reaches.
 sunder::Material brittle();
 
+/// A change of velocity (m/s) of a patch of 0.25 m radius around `point` (m, from the body's
+/// position) at time 0.
+sunder::EventDescription hit(int body, const sunder::Vec3& point, const sunder::Vec3& velocity);
+
 /// Uniform numbers in [−1, 1), the same on every machine.
 class Random {
   public:

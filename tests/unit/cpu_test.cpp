@@ -1,4 +1,4 @@
-// The `cpu` solver: the same result from any number of threads and any instruction set; sleeping.
+// The `cpu` solver: the same result from any number of threads and any instruction set; memory.
 #include "cpu/cpu_solver.hpp"
 
 #include "catch.hpp"
@@ -9,16 +9,6 @@
 using namespace sunder;
 
 namespace {
-
-EventDescription hit(int body, Vec3 point, Vec3 velocity) {
-    EventDescription event;
-    event.kind = EventDescription::Kind::Velocity;
-    event.body = body;
-    event.point = point;
-    event.radius = 0.25;
-    event.vector = velocity;
-    return event;
-}
 
 /// A wall large enough to be split among threads, thick blocks of both orders of the axes, one of
 /// two materials, and small ones; all hit hard enough to break, crush and invert cells.
@@ -88,74 +78,6 @@ TEST_CASE("every instruction set gives the same bits") {
         CHECK(hash == expected);
     }
     cpu::useSimdTarget(0);
-}
-
-TEST_CASE("a settled wall falls asleep, does not change by a bit, and a push wakes it") {
-    Material material = brittle();
-    material.damping = 10;
-    WorldDescription d = block({5, 4, 1}, material);
-    BodyDescription other = d.bodies[0];
-    other.position = {2, 0, 0};
-    d.bodies.push_back(other);
-    d.bodies[0].anchors = {Side::Bottom};  // the second one merely stands there
-    d.gravity = {0, -9.81, 0};
-    d.ground = true;
-    d.events = {hit(0, {0, 0.3, 0}, {0, 0, -1})};
-    d.events[0].time = 3.0101;
-    const World world(d);
-    CpuSolver solver(world, 2);
-    CHECK(!solver.asleep(0));
-    solver.advance(7500);  // 2.5 s
-    REQUIRE(solver.asleep(0));
-    REQUIRE(solver.asleep(1));
-    const State asleep = solver.state();
-    for (const Vec3& v : asleep.velocity) CHECK(v == Vec3(0, 0, 0));
-    solver.advance(1530);
-    CHECK(solver.asleep(0));
-    CHECK(stateHash(solver.state()) == stateHash(asleep));
-    CHECK(solver.state().slow == asleep.slow);
-    CHECK(solver.state().step == 9030);
-    solver.advance(10);  // the push starts within step 9030
-    CHECK(!solver.asleep(0));
-    CHECK(solver.asleep(1));
-    const State awake = solver.state();
-    const int half = world.nodeCount() / 2;
-    CHECK(awake.velocity[half - 2] != Vec3(0, 0, 0));
-    for (int node = half; node < world.nodeCount(); ++node) {
-        CHECK(awake.displacement[node] == asleep.displacement[node]);
-        CHECK(awake.velocity[node] == asleep.velocity[node]);
-    }
-    solver.setState(asleep);
-    CHECK(!solver.asleep(1));
-}
-
-TEST_CASE("pieces that fell to the ground fall asleep") {
-    Material material = brittle();
-    material.strength = material.boundaryStrength = {4e3, 4e3, 4e3};
-    WorldDescription d = block({6, 5, 1}, material);
-    d.bodies[0].anchors = {Side::Bottom};
-    d.gravity = {0, -9.81, 0};
-    d.ground = true;
-    d.events = {hit(0, {0, 0.3, 0}, {1, 1, -4})};
-    const World world(d);
-    CpuSolver solver(world);
-    solver.advance(300);
-    CHECK(!solver.asleep(0));
-    for (int second = 0; second < 20 && !solver.asleep(0); ++second) solver.advance(3000);
-    CHECK(solver.asleep(0));
-    CHECK(diagnose(world, solver.state()).pieces > 1);
-}
-
-TEST_CASE("a falling body does not fall asleep") {
-    WorldDescription d = block({2, 2, 2}, softElastic());
-    d.gravity = {0, -9.81, 0};
-    d.bodies[0].position = {0, 100, 0};
-    const World world(d);
-    CpuSolver solver(world);
-    for (int i = 0; i < 20; ++i) {
-        solver.advance(300);
-        CHECK(!solver.asleep(0));
-    }
 }
 
 TEST_CASE("memory stays below 200 bytes a tetrahedron") {

@@ -1,0 +1,59 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/world.hpp"
+#include "gl/fence.hpp"
+#include "gpu/texel_target.hpp"
+
+namespace sunder::gpu {
+
+/// Finds out which bodies are calm (core/sleep.hpp) without holding up a frame: a pass sums up what
+/// chunks of cells did, and its result is read two looks later. When a body falls asleep depends on
+/// the number of the step alone, so a run repeats itself to the bit.
+class RestMonitor {
+  public:
+    /// columns: of the textures that nodes and bonds lie in.
+    RestMonitor(const World& world, int columns);
+
+    /// Steps from one look to the next, about 1/60 s.
+    int interval() const { return interval_; }
+    /// Asks the GPU about the `interval()` steps before `step`; the textures of nodes and bonds
+    /// must be bound to their units, and their programs be told to start anew. Then takes the
+    /// answer of the look before last, and returns the bodies that have been calm for long enough.
+    /// Waits only where the GPU is two looks behind.
+    std::vector<int> look(std::int64_t step);
+    /// A body is changed from outside at `step`: what it did before no longer counts.
+    void disturb(int body, std::int64_t step);
+
+  private:
+    static constexpr int kLag = 2;  ///< looks
+    struct Answer {
+        std::int64_t step = -1;  ///< −1: not asked yet
+        gl::Buffer texels;
+        gl::Fence done;
+    };
+    struct Body {
+        TexelRange chunks;
+        float calmSpeed2;  ///< m²/s²
+        int calmSteps = 0;
+        std::int64_t disturbed = 0;  ///< step
+    };
+
+    void ask(Answer& answer, std::int64_t step);
+    std::vector<int> take(const Answer& answer, std::int64_t now);
+
+    const World& world_;
+    int interval_, sleepSteps_;
+    std::vector<Body> bodies_;
+    TexelRanges all_;
+    gl::Buffer chunkBuffer_;
+    gl::Texture chunkTexture_;
+    TexelTarget unrest_;  ///< per chunk
+    gl::Program program_;
+    std::array<Answer, kLag> answers_;
+    int next_ = 0;
+};
+
+}  // namespace sunder::gpu
