@@ -19,7 +19,7 @@ flat out uint crackedEdges;  // bit per edge, at the − and + end of the next a
 const int HOLDS = 0, BROKEN = 1, NO_NEIGHBOUR = 2;
 
 uint lawOf(int c) {
-    return texelFetch(cells, c).r & uint((1 << SUNDER_LAW_BITS) - 1);
+    return texelFetch(cells, c).r & SUNDER_CELL_LAW;
 }
 
 // What is between cell `c`, at `place` on a lattice of `size` cells, and its neighbour beyond face `f`.
@@ -40,7 +40,7 @@ void main() {
     parity_ = inside = crackedEdges = 0u;
     if (law == SUNDER_ABSENT) return;
 
-    int body = int(texelFetch(cells, cell).r >> SUNDER_LAW_BITS);
+    int body = int(texelFetch(cells, cell).g);
     ivec4 lattice = ivec4(texelFetch(bodies, SUNDER_BODY_TEXELS * body));
     ivec3 size = lattice.xyz;
     int local = cell - lattice.w;

@@ -84,11 +84,11 @@ void main() {
 #else
     for (int k = 0; k < 8; ++k) newForces[k] = vec4(0.0);
 #endif
-    uint record = cellRecord(cell);
+    uvec2 record = cellRecord(cell);
     uint lawIndex = lawOf(record);
     if (lawIndex == SUNDER_ABSENT) return;
     ElementLaw law = laws[lawIndex];
-    int parity = cellParity(cellCoordinates(cell, ivec4(bodyRecord(bodyOf(record)).lattice)));
+    int parity = parityOf(record);
     // An odd cell is an even one seen in a mirror across x: corner k stands for k ^ 1, and x runs backwards.
     for (int k = 0; k < 8; ++k) {
         ivec2 texel = texelAddress(8 * cell + (k ^ parity));

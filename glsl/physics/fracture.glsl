@@ -15,37 +15,36 @@ bool overstressed(int cell, uint law) {
     return laws[law].fracture.x < SUNDER_UNBREAKABLE && principalStress(cell) > laws[law].fracture.x;
 }
 
-// Corner tetrahedra 0–3 by parity have their apex at these corners (kTetrahedra in src/core/tetrahedra.hpp), and a corner's
-// number there is corner >> 1.
-const int kApex[8] = int[8](1, 2, 4, 7, 0, 3, 5, 6);
+// The two triangles of the face between a cell and its neighbour along an axis belong to the corner tetrahedra whose apex lies on
+// it, on either side (kTetrahedra in src/core/tetrahedra.hpp). By 3·parity + axis: first and second of the cell, of the neighbour.
+const ivec4 kFace[6] = ivec4[6](ivec4(0, 3, 0, 3), ivec4(1, 3, 0, 2), ivec4(2, 3, 0, 1),  //
+                                ivec4(1, 2, 1, 2), ivec4(1, 3, 0, 2), ivec4(2, 3, 0, 1));
+
+// One bond of a cell; axis is a constant wherever this is called, so that the compiler indexes nothing at run time.
+void updateBondAlong(int axis, int cell, int other, int parity, ElementLaw law, bool leaves, float strength,
+                     inout float damage, inout float slow) {
+    if (damage >= 1.0) return;  // broken, or no neighbour
+    if (leaves || overstressed(other, lawOf(cellRecord(other)))) {
+        damage = 1.0;
+        return;
+    }
+    if (strength >= SUNDER_UNBREAKABLE) return;
+    ivec4 face = kFace[3 * parity + axis];
+    vec2 first = faceTraction(0.5 * (biot(cell, face.x) + biot(other, face.z)), axis);
+    vec2 second = faceTraction(0.5 * (biot(cell, face.y) + biot(other, face.w)), axis);
+    updateBond(law, first, second, strength, interval, damage, slow);
+}
 
 void updateBonds(int cell, inout vec3 damage, inout vec3 slow) {
-    uint record = cellRecord(cell);
+    uvec2 record = cellRecord(cell);
     uint lawIndex = lawOf(record);
     if (lawIndex == SUNDER_ABSENT) return;
-    ivec4 lattice = ivec4(bodyRecord(bodyOf(record)).lattice);
-    ivec3 strides = cellStrides(lattice);
-    int parity = cellParity(cellCoordinates(cell, lattice));
+    ElementLaw law = laws[lawIndex];
+    ivec3 strides = cellStrides(ivec4(bodyRecord(bodyOf(record)).lattice));
+    int parity = parityOf(record);
     bool leaves = overstressed(cell, lawIndex);
     vec3 strength = texelFetch(strengths, cell).xyz;
-
-    for (int axis = 0; axis < 3; ++axis) {
-        if (damage[axis] >= 1.0) continue;  // broken, or no neighbour
-        int other = cell + strides[axis];
-        if (leaves || overstressed(other, lawOf(cellRecord(other)))) {
-            damage[axis] = 1.0;
-            continue;
-        }
-        if (strength[axis] >= SUNDER_UNBREAKABLE) continue;
-        // The face's two triangles belong to the corner tetrahedra whose apex lies on it, on either side.
-        vec2 traction[2];
-        int triangle = 0;
-        for (int t = 0; t < 4; ++t) {
-            int apex = kApex[4 * parity + t];
-            if ((apex >> axis & 1) == 0) continue;
-            mat3 T = 0.5 * (biot(cell, t) + biot(other, (apex ^ 1 << axis) >> 1));
-            traction[triangle++] = faceTraction(T, axis);
-        }
-        updateBond(laws[lawIndex], traction[0], traction[1], strength[axis], interval, damage[axis], slow[axis]);
-    }
+    updateBondAlong(0, cell, cell + strides.x, parity, law, leaves, strength.x, damage.x, slow.x);
+    updateBondAlong(1, cell, cell + strides.y, parity, law, leaves, strength.y, damage.y, slow.y);
+    updateBondAlong(2, cell, cell + strides.z, parity, law, leaves, strength.z, damage.z, slow.z);
 }

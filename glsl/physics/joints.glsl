@@ -3,26 +3,32 @@
 #include "physics/lattice.glsl"
 #include "physics/links.glsl"
 
-uniform samplerBuffer rest;  // w: mass of this copy, kg, negative where anchored
+uniform samplerBuffer strengths;  // w: mass of a corner, kg
 
 vec3 damageOf(int cell);  // of the bonds through its +x, +y, +z faces
 
 LinkRecord joints(int cell) {
-    uint record = cellRecord(cell);
+    uvec2 record = cellRecord(cell);
     if (lawOf(record) == SUNDER_ABSENT) return LinkRecord(vec4(0.0), vec4(0.0), vec4(0.0));
-    ivec4 lattice = ivec4(bodyRecord(bodyOf(record)).lattice);
-    ivec3 strides = cellStrides(lattice), here = cellCoordinates(cell, lattice);
+    ivec3 strides = cellStrides(ivec4(bodyRecord(bodyOf(record)).lattice));
 
-    // Bits 0, 1, 2: the bonds that the 27 cells around this one own through their +x, +y, +z faces and that hold.
+    // Of the 27 cells around this one: bits 0, 1, 2 for the bonds they own through their +x, +y, +z faces and that hold; mass of a
+    // corner; anchored corners.
     uint held[27];
+    float masses[27];
+    uint anchors[27];
     for (int i = 0; i < 27; ++i) {
         ivec3 offset = ivec3(i % 3, i / 3 % 3, i / 9) - 1;
-        ivec3 c = here + offset;
-        held[i] = 0u;
-        if (any(lessThan(c, ivec3(0))) || any(greaterThanEqual(c, lattice.xyz))) continue;
+        uint sides = uint(offset.x < 0) | uint(offset.y < 0) << 1u | uint(offset.z < 0) << 2u |
+                     uint(offset.x > 0) << 3u | uint(offset.y > 0) << 4u | uint(offset.z > 0) << 5u;
+        // Beyond the body's sides the cell stands for its neighbour; it owns no bond there.
+        bool inside = (record.x >> uint(SUNDER_CELL_SIDES_BIT) & sides) == 0u;
         ivec3 steps = offset * strides;
-        vec3 damage = damageOf(cell + steps.x + steps.y + steps.z);
-        held[i] = uint(damage.x < 1.0) | uint(damage.y < 1.0) << 1u | uint(damage.z < 1.0) << 2u;
+        int other = inside ? cell + steps.x + steps.y + steps.z : cell;
+        masses[i] = texelFetch(strengths, other).w;
+        anchors[i] = cellRecord(other).x >> uint(SUNDER_CELL_ANCHORS_BIT);
+        vec3 damage = damageOf(other);
+        held[i] = inside ? uint(damage.x < 1.0) | uint(damage.y < 1.0) << 1u | uint(damage.z < 1.0) << 2u : 0u;
     }
     uint masks[8];
     float inverseMass[8];
@@ -42,11 +48,11 @@ LinkRecord joints(int cell) {
         float mass = 0.0;
         bool anchored = false;
         for (int octant = 0; octant < 8; ++octant) {
-            if ((mask >> uint(octant) & 1u) == 0u) continue;
-            ivec3 steps = (cornerBits(octant) - cornerBits(own)) * strides;
-            float own_ = texelFetch(rest, 8 * (cell + steps.x + steps.y + steps.z) + (octant ^ 7)).w;
-            mass += abs(own_);
-            if (own_ < 0.0) anchored = true;
+            ivec3 offset = cornerBits(octant) - cornerBits(own) + 1;
+            int member = offset.x + 3 * offset.y + 9 * offset.z;
+            bool joined = (mask >> uint(octant) & 1u) != 0u;
+            mass += joined ? masses[member] : 0.0;
+            anchored = anchored || (joined && (anchors[member] >> uint(octant ^ 7) & 1u) != 0u);
         }
         inverseMass[corner] = anchored ? 0.0 : 1.0 / mass;
     }

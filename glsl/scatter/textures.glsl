@@ -9,5 +9,5 @@
 // Clip-space position whose point covers exactly the texel `index` of a target `height` rows high.
 vec4 texelPosition(int index, float height) {
     vec2 texel = vec2(texelAddress(index)) + 0.5;
-    return vec4(texel / vec2(float(textureWidth), height) * 2.0 - 1.0, 0.0, 1.0);
+    return vec4(texel / vec2(float(1 << textureShift), height) * 2.0 - 1.0, 0.0, 1.0);
 }

@@ -2,9 +2,12 @@
 // namespace sunder::gpu (src/gpu/layout.hpp), where vec4 and uvec4 are glm's.
 
 #define SUNDER_MAX_ELEMENT_LAWS 256
-// Cell record: law in the low bits, body above. An absent cell has law SUNDER_ABSENT.
-#define SUNDER_LAW_BITS 9
-#define SUNDER_ABSENT 511u
+// Cell record, two unsigned integers: the bits below; body.
+#define SUNDER_CELL_LAW 511u      // row of the table of laws, or SUNDER_ABSENT
+#define SUNDER_ABSENT 511u        // no cell here
+#define SUNDER_CELL_ODD 512u      // i + j + k is odd: the mirrored split into tetrahedra
+#define SUNDER_CELL_SIDES_BIT 10  // six bits: the body ends on the cell's -x, -y, -z, +x, +y, +z side
+#define SUNDER_CELL_ANCHORS_BIT 16  // eight bits: corners that do not move
 // Damage of a bond that never was; a bond holds while its damage is below 1.
 #define SUNDER_NO_BOND 2.0
 // Stands for "never": no stress reaches it.

@@ -1,5 +1,7 @@
 #include "gpu/feedback.hpp"
 
+#include <bit>
+
 namespace sunder::gpu {
 namespace {
 
@@ -14,7 +16,8 @@ constexpr int kLawBinding = 0;
 void setConstants(const gl::Program& program, const World& world, int textureColumns) {
     program.bindUniformBlock("ElementLaws", kLawBinding);
     for (int unit = 0; unit < kUnitCount; ++unit) program.bindSampler(kSamplers[unit], unit);
-    glUniform1i(program.uniform("textureWidth"), textureColumns);
+    glUniform1i(program.uniform("textureShift"),
+                std::countr_zero(static_cast<unsigned>(textureColumns)));
     const auto h = static_cast<float>(world.step());
     glUniform1f(program.uniform("stepSize"), h);
     glUniform1f(program.uniform("interval"),

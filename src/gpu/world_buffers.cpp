@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec2.hpp>
 #include <vector>
 
 #include "gpu/layout.hpp"
@@ -25,19 +26,26 @@ std::vector<float> restHeights(const World& world) {
 }
 
 gl::Buffer makeCells(const World& world) {
-    std::vector<std::uint32_t> cells(world.cellCount());
+    std::vector<glm::uvec2> cells(world.cellCount());
     for (int cell = 0; cell < world.cellCount(); ++cell) {
-        const std::uint32_t law =
-            world.present(cell) ? static_cast<std::uint32_t>(world.lawOf(cell)) : SUNDER_ABSENT;
-        cells[cell] = law | static_cast<std::uint32_t>(world.bodyOf(cell)) << SUNDER_LAW_BITS;
+        const int body = world.bodyOf(cell);
+        unsigned bits =
+            world.present(cell) ? static_cast<unsigned>(world.lawOf(cell)) : SUNDER_ABSENT;
+        if (world.parity(cell) != 0) bits |= SUNDER_CELL_ODD;
+        const IVec3 at = world.bodies()[body].coordinates(cell);
+        for (int axis = 0; axis < 3; ++axis) {
+            const bool low = at[axis] == 0, high = at[axis] == world.bodies()[body].cells[axis] - 1;
+            bits |= (unsigned{low} | unsigned{high} << 3) << (SUNDER_CELL_SIDES_BIT + axis);
+        }
+        for (int corner = 0; corner < kCorners; ++corner)
+            bits |= unsigned{world.anchored(kCorners * cell + corner)}
+                    << (SUNDER_CELL_ANCHORS_BIT + corner);
+        cells[cell] = {bits, static_cast<unsigned>(body)};
     }
-    return gl::makeBuffer<std::uint32_t>(cells, GL_STATIC_DRAW, "cells");
+    return gl::makeBuffer<glm::uvec2>(cells, GL_STATIC_DRAW, "cells");
 }
 
 gl::Buffer makeBodies(const World& world) {
-    if (world.bodies().size() >= 1u << (32 - SUNDER_LAW_BITS))
-        throw InputError("the world has too many bodies for the GPU: " +
-                         std::to_string(world.bodies().size()));
     std::vector<BodyRecord> bodies;
     for (const Body& body : world.bodies())
         bodies.push_back(
@@ -49,11 +57,13 @@ gl::Buffer makeBodies(const World& world) {
 }
 
 gl::Buffer makeStrengths(const World& world) {
-    std::vector<vec4> strengths(world.cellCount(), vec4(0));
-    for (int cell = 0; cell < world.cellCount(); ++cell)
+    std::vector<vec4> strengths(world.cellCount());
+    for (int cell = 0; cell < world.cellCount(); ++cell) {
+        strengths[cell].w = static_cast<float>(world.nodeMass(kCorners * cell));
         for (int axis = 0; axis < kBondsPerCell; ++axis)
             strengths[cell][axis] = std::min(world.bondStrength(kBondsPerCell * cell + axis),
                                              static_cast<float>(SUNDER_UNBREAKABLE));
+    }
     return gl::makeBuffer<vec4>(strengths, GL_STATIC_DRAW, "bond strengths");
 }
 
@@ -89,7 +99,7 @@ WorldBuffers::WorldBuffers(const World& world)
       strengthBuffer_(makeStrengths(world)),
       lawBuffer_(makeLaws(world)),
       restTexture_(gl::makeBufferTexture(restBuffer_, GL_RGBA32F, "rest positions")),
-      cellTexture_(gl::makeBufferTexture(cellBuffer_, GL_R32UI, "cells")),
+      cellTexture_(gl::makeBufferTexture(cellBuffer_, GL_RG32UI, "cells")),
       bodyTexture_(gl::makeBufferTexture(bodyBuffer_, GL_RGBA32F, "bodies")),
       strengthTexture_(gl::makeBufferTexture(strengthBuffer_, GL_RGBA32F, "bond strengths")) {}
 
