@@ -7,6 +7,7 @@
 #include "app/bench_table.hpp"
 #include "app/machine.hpp"
 #include "app/progress.hpp"
+#include "balance/balanced_solver.hpp"
 
 namespace sunder::app {
 namespace {
@@ -107,6 +108,13 @@ void Contest::prepare(Lane& lane, const State& start) const {
         // A GPU that idled while a CPU solver ran has lowered its clocks: a quarter of the speed.
         const Stopwatch watch;
         while (watch.seconds() < kGpuWarmUp) timedRun(lane, scene_.substeps);
+        lane.solver->setState(start);
+    }
+    if (auto* shared = dynamic_cast<BalancedSolver*>(lane.solver.get());
+        shared && !shared->settled()) {
+        const Stopwatch watch;
+        while (!shared->settled() && watch.seconds() < limits_.secondsPerCell)
+            timedRun(lane, fewestSteps(scene_.world));
         lane.solver->setState(start);
     }
     const int lead = leadSteps(start);

@@ -13,6 +13,7 @@
 #include "app/progress.hpp"
 #include "app/run_report.hpp"
 #include "app/solver_factory.hpp"
+#include "balance/balanced_solver.hpp"
 #include "core/vtu.hpp"
 #include "gl/context.hpp"
 #include "image/image.hpp"
@@ -158,6 +159,8 @@ int run(RunOptions options) {
             facts.msPerStep.push_back(elapsed.count() / facts.stepsPerFrame);
         }
     }
+    if (const auto* shared = dynamic_cast<const BalancedSolver*>(solver.get()))
+        facts.bodiesOnGpu = shared->bodiesOnGpu();
     const State state = solver->state();
     if (context) context->check();
     writeResults(options, scene, world, state, facts);

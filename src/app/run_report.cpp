@@ -57,7 +57,7 @@ std::string reportJson(const Scene& scene, const World& world, const State& stat
                 {{"material", world.description().materials[law.material].name},
                  {"young_modulus", world.description().materials[law.material].youngModulus},
                  {"limited_to", law.youngModulus}});
-    const ordered_json report = {
+    ordered_json report = {
         {"scene", scene.name},
         {"solver", facts.solver},
         {"gl_renderer", facts.renderer},
@@ -85,6 +85,7 @@ std::string reportJson(const Scene& scene, const World& world, const State& stat
           {"p95", percentile(facts.msPerStep, 0.95)}}},
         {"stiffness_limited", limits},
     };
+    if (facts.bodiesOnGpu) report["bodies_on_gpu"] = *facts.bodiesOnGpu;
     return report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -95,6 +96,9 @@ std::string reportText(const Scene& scene, const World& world, const State& stat
     text << scene.name << ": " << facts.frames << " frames of " << facts.stepsPerFrame << " steps, "
          << kTetrahedraPerCell * world.presentCells() << " tetrahedra, solver " << facts.solver;
     if (!facts.renderer.empty()) text << " on " << facts.renderer;
+    if (facts.bodiesOnGpu)
+        text << ", " << *facts.bodiesOnGpu << " of " << world.bodies().size()
+             << " bodies on the GPU at the end";
     text << "\nbonds broken " << d.bondsBroken << " of " << world.bondCount() << ", pieces "
          << d.pieces << ", fastest node " << shortNumber(d.maxSpeed) << " m/s, "
          << shortNumber(percentile(facts.msPerStep, 0.5)) << " ms per step\n";

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,8 @@ struct RunFacts {
     std::string renderer;  ///< GL_RENDERER, or empty without a context
     int frames = 0;
     int stepsPerFrame = 0;
-    std::vector<double> msPerStep;  ///< one entry per frame
+    std::optional<int> bodiesOnGpu;  ///< at the end, of a solver that shares them out
+    std::vector<double> msPerStep;   ///< one entry per frame
 };
 
 /// The contents of --json.

@@ -1,5 +1,6 @@
 #include "app/solver_factory.hpp"
 
+#include "balance/balanced_solver.hpp"
 #include "cpu/cpu_solver.hpp"
 #include "cpu/reference.hpp"
 #include "gpu/gather.hpp"
@@ -12,6 +13,8 @@ const std::vector<SolverInfo>& solvers() {
         {"gather", "GPU: a fragment per cell and per node, no blending (GL 4.1; the default)",
          true},
         {"scatter", "GPU, the thesis's method: additive blending and transform feedback (GL 4.1)",
+         true},
+        {"auto", "shares bodies out between cpu and gather by measured cost, both at once", true,
          true},
         {"cpu", "several cells per instruction on every core; what is at rest sleeps", false, true},
         {"reference",
@@ -34,6 +37,7 @@ std::unique_ptr<Solver> makeSolver(const SolverInfo& info, const World& world,
                                    const gpu::WorldBuffers* buffers, int threads) {
     if (info.name == "gather") return std::make_unique<gpu::GatherSolver>(world, *buffers);
     if (info.name == "scatter") return std::make_unique<gpu::ScatterSolver>(world, *buffers);
+    if (info.name == "auto") return std::make_unique<BalancedSolver>(world, *buffers, threads);
     if (info.name == "cpu") return std::make_unique<CpuSolver>(world, threads);
     return std::make_unique<ReferenceSolver>(world);
 }

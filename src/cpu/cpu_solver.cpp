@@ -21,6 +21,7 @@ constexpr int kVectorsPerPart = 16;
 
 struct CpuSolver::BodyRun : cpu::BodyRun {
     using cpu::BodyRun::BodyRun;
+    bool held = true;
 };
 
 /// The threads, and how bodies are shared out to them.
@@ -45,15 +46,25 @@ CpuSolver::CpuSolver(const World& world, int threads)
         runner.arena.emplace(runner.threads);
     }
     runner.laws = cpu::makeLaws(world);
-    // A body is split when one thread alone would still be at it after the others were done.
-    const int fairShare = world.cellCount() / (2 * runner.threads);
-    for (int body = 0; body < static_cast<int>(world.bodies().size()); ++body) {
+    for (int body = 0; body < static_cast<int>(world.bodies().size()); ++body)
         bodies_.push_back(std::make_unique<BodyRun>(world, body, runner.laws));
-        cpu::BodyRun* run = bodies_.back().get();
-        const bool large = run->cells() > std::max(fairShare, 2 * kVectorsPerPart * cpu::kLanes);
-        (runner.threads > 1 && large ? runner.split : runner.whole).push_back(run);
-    }
+    shareOut();
     setState(world.initialState());
+}
+
+void CpuSolver::shareOut() {
+    Runner& runner = *runner_;
+    runner.split.clear();
+    runner.whole.clear();
+    int cells = 0;
+    for (const auto& run : bodies_) cells += run->held ? run->cells() : 0;
+    // A body is split when one thread alone would still be at it after the others were done.
+    const int fairShare = cells / (2 * runner.threads);
+    for (const auto& run : bodies_) {
+        if (!run->held) continue;
+        const bool large = run->cells() > std::max(fairShare, 2 * kVectorsPerPart * cpu::kLanes);
+        (runner.threads > 1 && large ? runner.split : runner.whole).push_back(run.get());
+    }
 }
 
 CpuSolver::~CpuSolver() = default;
@@ -93,20 +104,42 @@ void CpuSolver::advance(int steps) {
 State CpuSolver::state() const {
     State state = world_.initialState();
     state.step = step_;
-    for (const auto& run : bodies_) run->store(state);
+    for (const auto& run : bodies_)
+        if (run->held) run->store(state);
     return state;
 }
 
 void CpuSolver::setState(const State& state) {
     step_ = state.step;
-    for (const auto& run : bodies_) run->load(state);
+    for (const auto& run : bodies_)
+        if (run->held) run->load(state);
+}
+
+void CpuSolver::adopt(int body, const State& state) {
+    bodies_[body]->load(state);
+    bodies_[body]->held = true;
+    shareOut();
+}
+
+void CpuSolver::release(int body, State& state) {
+    bodies_[body]->store(state);
+    bodies_[body]->held = false;
+    shareOut();
+}
+
+bool CpuSolver::holds(int body) const {
+    return bodies_[body]->held;
+}
+
+void CpuSolver::store(int body, State& state) const {
+    bodies_[body]->store(state);
 }
 
 int CpuSolver::threads() const {
     return runner_->threads;
 }
 bool CpuSolver::asleep(int body) const {
-    return bodies_[body]->asleep();
+    return bodies_[body]->held && bodies_[body]->asleep();
 }
 
 double CpuSolver::bytesPerTetrahedron() const {

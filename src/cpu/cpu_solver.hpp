@@ -2,6 +2,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/body_host.hpp"
 #include "core/solver.hpp"
 
 namespace sunder {
@@ -10,7 +11,7 @@ namespace sunder {
 /// out to the cores whole where there are enough of them; a large one is split into stretches of
 /// cells. The result does not depend on the number of cores or the width of their vectors.
 /// Bodies at rest sleep (core/sleep.hpp).
-class CpuSolver : public Solver {
+class CpuSolver : public Solver, public BodyHost {
   public:
     /// `world` must outlive the solver. threads: 0 for one per core.
     explicit CpuSolver(const World& world, int threads = 0);
@@ -22,6 +23,12 @@ class CpuSolver : public Solver {
     void setState(const State& state) override;
     bool asleep(int body) const override;
 
+    void adopt(int body, const State& state) override;
+    void release(int body, State& state) override;
+    bool holds(int body) const override;
+    /// Puts a body that it holds into its part of `state`.
+    void store(int body, State& state) const;
+
     int threads() const;
     /// Bytes held per tetrahedron, all bodies together.
     double bytesPerTetrahedron() const;
@@ -29,6 +36,8 @@ class CpuSolver : public Solver {
   private:
     struct Runner;
     struct BodyRun;
+    void shareOut();
+
     const World& world_;
     std::int64_t step_ = 0;
     std::vector<std::unique_ptr<BodyRun>> bodies_;

@@ -19,6 +19,15 @@ gl::Defines with(gl::Defines defines, const char* name, const char* value) {
     return defines;
 }
 
+TexelRange cellsOf(const World& world, int index) {
+    const Body& body = world.bodies()[index];
+    return {body.firstCell, body.firstCell + body.cellCount()};
+}
+
+TexelRange nodesOf(TexelRange cells) {
+    return {kCorners * cells.first, kCorners * cells.end};
+}
+
 /// Layers of glsl/gather/stress.glsl.
 int stressLayers(const World& world) {
     return std::max(1, 6 * world.bondsBreak() + world.cellsBreak());
@@ -72,41 +81,15 @@ gl::Program GatherSolver::texelProgram(const char* fragment, const TexelTarget& 
 State GatherSolver::state() const {
     State state = world_.initialState();
     state.step = step_;
-    const TexelRange nodes{0, world_.nodeCount()}, cells{0, world_.cellCount()};
-    const std::vector<vec4> u = nodes_[currentNodes_].read(0, nodes),
-                            v = nodes_[currentNodes_].read(1, nodes);
-    for (int node = 0; node < world_.nodeCount(); ++node) {
-        state.displacement[node] = {u[node].x, u[node].y, u[node].z};
-        state.velocity[node] = {v[node].x, v[node].y, v[node].z};
-    }
-    const std::vector<vec4> damage = bonds_[currentBonds_].read(0, cells),
-                            slow = bonds_[currentBonds_].read(1, cells);
-    for (int cell = 0; cell < world_.cellCount(); ++cell)
-        for (int axis = 0; axis < kBondsPerCell; ++axis) {
-            state.damage[kBondsPerCell * cell + axis] = damage[cell][axis];
-            state.slow[kBondsPerCell * cell + axis] = slow[cell][axis];
-        }
+    read({0, world_.cellCount()}, state);
     return state;
 }
 
 void GatherSolver::setState(const State& state) {
     step_ = state.step;
-    std::vector<vec4> u, v, damage, slow;
-    for (int node = 0; node < world_.nodeCount(); ++node) {
-        u.push_back(toVec4(state.displacement[node], world_.restPosition(node)[1]));
-        v.push_back(toVec4(state.velocity[node], 0));
-    }
-    for (int cell = 0; cell < world_.cellCount(); ++cell) {
-        const double *d = &state.damage[kBondsPerCell * cell],
-                     *s = &state.slow[kBondsPerCell * cell];
-        damage.push_back(toVec4({d[0], d[1], d[2]}, 0));
-        slow.push_back(toVec4({s[0], s[1], s[2]}, 0));
-    }
-    nodes_[currentNodes_].write(0, 0, u);
-    nodes_[currentNodes_].write(1, 0, v);
-    bonds_[currentBonds_].write(0, 0, damage);
-    bonds_[currentBonds_].write(1, 0, slow);
+    write({0, world_.cellCount()}, state);
     for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
+        if (!holds(body)) continue;
         bodies_[body] = BodyState::Awake;
         monitor_.disturb(body, step_);
     }
@@ -115,20 +98,76 @@ void GatherSolver::setState(const State& state) {
     updateLinks();
 }
 
+void GatherSolver::adopt(int body, const State& state) {
+    write(cellsOf(world_, body), state);
+    bodies_[body] = BodyState::Awake;
+    monitor_.disturb(body, step_);
+    bodiesChanged();
+    BodyRanges own(1);
+    own.set(world_, {body}, columns_);
+    bindInputs();
+    links_.fill(linkProgram_, own.cells);
+}
+
+void GatherSolver::release(int body, State& state) {
+    read(cellsOf(world_, body), state);
+    bodies_[body] = BodyState::Elsewhere;
+    bodiesChanged();
+}
+
+void GatherSolver::show(int body, const State& state) {
+    write(cellsOf(world_, body), state);
+}
+
+void GatherSolver::write(TexelRange cells, const State& state) {
+    const TexelRange nodes = nodesOf(cells);
+    std::vector<vec4> u, v, damage, slow;
+    for (int node = nodes.first; node < nodes.end; ++node) {
+        u.push_back(toVec4(state.displacement[node], world_.restPosition(node)[1]));
+        v.push_back(toVec4(state.velocity[node], 0));
+    }
+    for (int cell = cells.first; cell < cells.end; ++cell) {
+        const double *d = &state.damage[kBondsPerCell * cell],
+                     *s = &state.slow[kBondsPerCell * cell];
+        damage.push_back(toVec4({d[0], d[1], d[2]}, 0));
+        slow.push_back(toVec4({s[0], s[1], s[2]}, 0));
+    }
+    nodes_[currentNodes_].write(0, nodes.first, u);
+    nodes_[currentNodes_].write(1, nodes.first, v);
+    bonds_[currentBonds_].write(0, cells.first, damage);
+    bonds_[currentBonds_].write(1, cells.first, slow);
+}
+
+void GatherSolver::read(TexelRange cells, State& state) const {
+    const TexelRange nodes = nodesOf(cells);
+    const std::vector<vec4> u = nodes_[currentNodes_].read(0, nodes),
+                            v = nodes_[currentNodes_].read(1, nodes);
+    for (int node = nodes.first; node < nodes.end; ++node) {
+        const vec4 &from = u[node - nodes.first], &rate = v[node - nodes.first];
+        state.displacement[node] = {from.x, from.y, from.z};
+        state.velocity[node] = {rate.x, rate.y, rate.z};
+    }
+    const std::vector<vec4> damage = bonds_[currentBonds_].read(0, cells),
+                            slow = bonds_[currentBonds_].read(1, cells);
+    for (int cell = cells.first; cell < cells.end; ++cell)
+        for (int axis = 0; axis < kBondsPerCell; ++axis) {
+            state.damage[kBondsPerCell * cell + axis] = damage[cell - cells.first][axis];
+            state.slow[kBondsPerCell * cell + axis] = slow[cell - cells.first][axis];
+        }
+}
+
 /// Bodies that are neighbours in the numbering become one range.
 void GatherSolver::BodyRanges::set(const World& world, const std::vector<int>& bodies,
                                    int columns) {
     std::vector<TexelRange> cellRanges, nodeRanges;
     for (const int index : bodies) {
-        const Body& body = world.bodies()[index];
-        const int end = body.firstCell + body.cellCount();
-        if (!cellRanges.empty() && cellRanges.back().end == body.firstCell)
-            cellRanges.back().end = end;
+        const TexelRange own = cellsOf(world, index);
+        if (!cellRanges.empty() && cellRanges.back().end == own.first)
+            cellRanges.back().end = own.end;
         else
-            cellRanges.push_back({body.firstCell, end});
+            cellRanges.push_back(own);
     }
-    for (const TexelRange& range : cellRanges)
-        nodeRanges.push_back({kCorners * range.first, kCorners * range.end});
+    for (const TexelRange& range : cellRanges) nodeRanges.push_back(nodesOf(range));
     cells.set(cellRanges, columns);
     nodes.set(nodeRanges, columns);
 }
@@ -179,6 +218,8 @@ void GatherSolver::advance(int steps) {
         updateNodes(events, i);
         if (fracture) updateLinks();
     }
+    // The GPU begins at once, not when the queue is full: the CPU may have work of its own.
+    glFlush();
 }
 
 void GatherSolver::updateBonds() {

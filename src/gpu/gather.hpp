@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 
+#include "core/body_host.hpp"
 #include "gpu/event_buffer.hpp"
 #include "gpu/feedback.hpp"
 #include "gpu/rest_monitor.hpp"
@@ -19,7 +20,7 @@ namespace sunder::gpu {
 /// four thousand million floats a second and no more, which is what a step then takes.
 ///
 /// Needs a current GL context for as long as it lives.
-class GatherSolver : public GpuSolver {
+class GatherSolver : public GpuSolver, public BodyHost {
   public:
     /// Throws InputError when the world is too large for the device. `world` and `buffers` must
     /// outlive it.
@@ -33,8 +34,14 @@ class GatherSolver : public GpuSolver {
     bool asleep(int body) const override { return bodies_[body] == BodyState::Asleep; }
     StateView view() override;
 
+    void adopt(int body, const State& state) override;
+    void release(int body, State& state) override;
+    bool holds(int body) const override { return bodies_[body] != BodyState::Elsewhere; }
+    /// Where a body that another solver holds is to be drawn.
+    void show(int body, const State& state);
+
   private:
-    enum class BodyState { Awake, Asleep };
+    enum class BodyState { Awake, Asleep, Elsewhere };
     /// Texels that a set of bodies has in textures of cells and of nodes.
     struct BodyRanges {
         TexelRanges cells, nodes;
@@ -52,6 +59,8 @@ class GatherSolver : public GpuSolver {
     gl::Program texelProgram(const char* fragment, const TexelTarget& target,
                              gl::Defines defines = {}) const;
     void bindInputs() const;
+    void write(TexelRange cells, const State& state);
+    void read(TexelRange cells, State& state) const;
     void watch();
     void fallAsleep(const std::vector<int>& bodies);
     void wakePushed();

@@ -1,3 +1,4 @@
+#include "balance/balanced_solver.hpp"
 #include "gpu/gather.hpp"
 #include "gpu/scatter.hpp"
 #include "gpu/test_context.hpp"
@@ -37,5 +38,6 @@ std::unique_ptr<Solver> makeChecked(const World& world) {
 
 std::vector<SolverUnderTest> solversUnderTest() {
     return {{"gather", makeChecked<gpu::GatherSolver>, 6e-8, true},
+            {"auto", makeChecked<BalancedSolver>, 6e-8, true},
             {"scatter", makeChecked<gpu::ScatterSolver>, 6e-8}};
 }

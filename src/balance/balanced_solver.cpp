@@ -1,0 +1,89 @@
+#include "balance/balanced_solver.hpp"
+
+#include <chrono>
+
+namespace sunder {
+namespace {
+
+std::vector<int> cellCounts(const World& world) {
+    std::vector<int> counts;
+    for (const Body& body : world.bodies()) counts.push_back(body.cellCount());
+    return counts;
+}
+
+}  // namespace
+
+BalancedSolver::BalancedSolver(const World& world, const gpu::WorldBuffers& buffers, int threads)
+    : world_(world),
+      gather_(world, buffers),
+      cpu_(world, threads),
+      balancer_(cellCounts(world)),
+      scratch_(world.initialState()) {
+    for (int body = 0; body < static_cast<int>(world.bodies().size()); ++body)
+        gather_.release(body, scratch_);
+}
+
+void BalancedSolver::advance(int steps) {
+    std::vector<bool> awake;
+    for (int body = 0; body < static_cast<int>(world_.bodies().size()); ++body)
+        awake.push_back(!asleep(body));
+    const bool measure = balancer_.frame(awake);
+    moveBodies();
+    if (measure) finish();
+    const auto start = std::chrono::steady_clock::now();
+    gather_.advance(steps);
+    cpu_.advance(steps);
+    scratch_.step += steps;
+    if (!measure) return;
+    finish();
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    balancer_.measured(elapsed.count() / steps);
+}
+
+void BalancedSolver::moveBodies() {
+    for (int body = 0; body < static_cast<int>(world_.bodies().size()); ++body) {
+        if (balancer_.onGpu(body) == onGpu(body)) continue;
+        if (onGpu(body)) {
+            gather_.release(body, scratch_);
+            cpu_.adopt(body, scratch_);
+        } else {
+            cpu_.release(body, scratch_);
+            gather_.adopt(body, scratch_);
+        }
+    }
+}
+
+int BalancedSolver::bodiesOnGpu() const {
+    int count = 0;
+    for (int body = 0; body < static_cast<int>(world_.bodies().size()); ++body)
+        count += onGpu(body);
+    return count;
+}
+
+State BalancedSolver::state() const {
+    State state = gather_.state();
+    for (int body = 0; body < static_cast<int>(world_.bodies().size()); ++body)
+        if (!onGpu(body)) cpu_.store(body, state);
+    return state;
+}
+
+void BalancedSolver::setState(const State& state) {
+    gather_.setState(state);
+    cpu_.setState(state);
+    scratch_.step = state.step;
+}
+
+bool BalancedSolver::asleep(int body) const {
+    return onGpu(body) ? gather_.asleep(body) : cpu_.asleep(body);
+}
+
+gpu::StateView BalancedSolver::view() {
+    for (int body = 0; body < static_cast<int>(world_.bodies().size()); ++body) {
+        if (onGpu(body)) continue;
+        cpu_.store(body, scratch_);
+        gather_.show(body, scratch_);
+    }
+    return gather_.view();
+}
+
+}  // namespace sunder

@@ -1,0 +1,43 @@
+#pragma once
+#include "balance/load_balancer.hpp"
+#include "cpu/cpu_solver.hpp"
+#include "gpu/gather.hpp"
+
+namespace sunder {
+
+/// `auto`: every body runs on `cpu` or on `gather`, both at the same time, shared out by measured
+/// cost (LoadBalancer); a body moves from one to the other between frames with its state intact.
+/// The GPU works while the CPU does; only frames that are measured wait for both. The result
+/// depends on who advanced what when, and so on the machine: the two differ in rounding.
+///
+/// Needs a current GL context for as long as it lives.
+class BalancedSolver : public gpu::GpuSolver {
+  public:
+    /// Throws InputError when the world is too large for the device. `world` and `buffers` must
+    /// outlive it. threads: of `cpu`, 0 for one per core.
+    BalancedSolver(const World& world, const gpu::WorldBuffers& buffers, int threads = 0);
+
+    std::string_view name() const override { return "auto"; }
+    void advance(int steps) override;
+    void finish() override { gather_.finish(); }
+    State state() const override;
+    void setState(const State& state) override;
+    bool asleep(int body) const override;
+    gpu::StateView view() override;
+
+    bool onGpu(int body) const { return gather_.holds(body); }
+    int bodiesOnGpu() const;
+    /// Whether it knows where bodies are best off, for the load as it is.
+    bool settled() const { return balancer_.settled(); }
+
+  private:
+    void moveBodies();
+
+    const World& world_;
+    gpu::GatherSolver gather_;
+    CpuSolver cpu_;
+    LoadBalancer balancer_;
+    State scratch_;  ///< what bodies pass through on their way
+};
+
+}  // namespace sunder

@@ -1,0 +1,118 @@
+#include "balance/load_balancer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <numeric>
+
+namespace sunder {
+namespace {
+
+/// Frames of a trial that do not count: bodies have just moved, a driver compiles what it has not
+/// run before, clocks go up.
+constexpr int kWarmUpFrames = 2;
+constexpr int kMeasuredFrames = 3;
+/// From a share to its neighbours.
+constexpr double kNeighbour = 0.15;
+/// The load has changed when this much of it was added or fell asleep.
+constexpr double kLoadChange = 0.25;
+/// Speeds drift (clocks, other programs): look again after so many frames.
+constexpr int kSettledFrames = 1200;
+
+}  // namespace
+
+LoadBalancer::LoadBalancer(std::vector<int> cells)
+    : cells_(std::move(cells)), onGpu_(cells_.size(), false) {}
+
+bool LoadBalancer::frame(const std::vector<bool>& awake) {
+    std::int64_t load = 0;
+    for (std::size_t i = 0; i < cells_.size(); ++i) load += awake[i] ? cells_[i] : 0;
+    if (load == 0) return false;
+    const double ratio =
+        static_cast<double>(load) / static_cast<double>(std::max<std::int64_t>(load_, 1));
+    if (ratio > 2 || ratio < 0.5) {
+        load_ = load;
+        fromScratch_ = true;
+        begin({1, 0});
+    } else if (!trying_ && (std::abs(ratio - 1) > kLoadChange || frames_ >= kSettledFrames)) {
+        load_ = load;
+        fromScratch_ = false;
+        begin({share_});
+    }
+    place(awake);
+    ++frames_;
+    return trying_;
+}
+
+void LoadBalancer::begin(std::vector<double> shares) {
+    tried_.clear();
+    untried_ = std::move(shares);
+    nextTrial();
+}
+
+void LoadBalancer::nextTrial() {
+    trying_ = !untried_.empty();
+    frames_ = 0;
+    fastest_ = std::numeric_limits<double>::infinity();
+    if (trying_) {
+        share_ = untried_.back();
+        untried_.pop_back();
+    } else {
+        share_ = best().share;
+    }
+}
+
+const LoadBalancer::Trial& LoadBalancer::best() const {
+    return *std::min_element(tried_.begin(), tried_.end(),
+                             [](const Trial& a, const Trial& b) { return a.time < b.time; });
+}
+
+void LoadBalancer::measured(double time) {
+    if (!trying_) return;
+    if (frames_ > kWarmUpFrames) fastest_ = std::min(fastest_, time);
+    if (frames_ < kWarmUpFrames + kMeasuredFrames) return;
+    tried_.push_back({share_, fastest_});
+    if (untried_.empty()) addTrials();
+    nextTrial();
+}
+
+void LoadBalancer::addTrials() {
+    if (fromScratch_ && tried_.size() == 2) {
+        // Both sides done together: share·gpu = (1 − share)·cpu.
+        const double cpu = tried_[0].time, gpu = tried_[1].time;
+        untried_ = {cpu / (cpu + gpu)};
+        return;
+    }
+    for (const double step : {-kNeighbour, kNeighbour}) {
+        const double share = std::clamp(best().share + step, 0.0, 1.0);
+        const bool known = std::any_of(tried_.begin(), tried_.end(), [&](const Trial& trial) {
+            return std::abs(trial.share - share) < 0.5 * kNeighbour;
+        });
+        if (!known) untried_.push_back(share);
+    }
+}
+
+/// Moves as few bodies as it takes to come close to the share.
+void LoadBalancer::place(const std::vector<bool>& awake) {
+    std::int64_t total = 0, gpu = 0;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        if (!awake[i]) continue;
+        total += cells_[i];
+        gpu += onGpu_[i] ? cells_[i] : 0;
+    }
+    auto missing = static_cast<double>(total) * share_ - static_cast<double>(gpu);
+    std::vector<std::size_t> order(cells_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return cells_[a] > cells_[b]; });
+    // A body moves where that brings the share closer, larger ones first.
+    for (const std::size_t i : order) {
+        if (!awake[i] || onGpu_[i] == (missing > 0)) continue;
+        if (std::abs(missing) < 0.5 * cells_[i]) continue;
+        missing += onGpu_[i] ? cells_[i] : -cells_[i];
+        onGpu_[i] = !onGpu_[i];
+    }
+}
+
+}  // namespace sunder
