@@ -9,7 +9,7 @@ layout(std140) uniform ElementLaws {
     ElementLaw laws[SUNDER_MAX_ELEMENT_LAWS];
 };
 uniform samplerBuffer displacements;
-uniform int displacementStride;  // texels from one node's to the next
+uniform ivec2 displacementStrides;  // texels from one cell's to the next, from one corner's to the next
 uniform samplerBuffer rest;
 uniform mat4 viewProjection;
 
@@ -31,8 +31,8 @@ flat out float diagonalSlope;  // +1: the diagonal is x = y; -1: it is x + y = 1
 #endif
 
 vec3 cornerPosition(int corner) {
-    int node = 8 * cell[0] + corner;
-    return texelFetch(rest, node).xyz + texelFetch(displacements, displacementStride * node).xyz;
+    int texel = displacementStrides.x * cell[0] + displacementStrides.y * corner;
+    return texelFetch(rest, 8 * cell[0] + corner).xyz + texelFetch(displacements, texel).xyz;
 }
 
 #ifndef DEPTH_ONLY

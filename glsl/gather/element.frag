@@ -4,6 +4,7 @@
 // On a box cell nothing but edge lengths is needed (no rest matrices): in a corner tetrahedron the columns of F are the three
 // edges at its apex over their lengths, in the central one half sums and differences of its four corners.
 #include "gather/cell_texel.glsl"
+#include "gather/node.glsl"
 #include "physics/lattice.glsl"
 #include "physics/elasticity.glsl"
 #if STRESSES
@@ -11,8 +12,7 @@
 #include "physics/eigen.glsl"
 #endif
 
-uniform sampler2DArray nodes;  // layer 0: displacement, m; layer 1: velocity, m/s
-uniform float stepSize;        // s
+uniform float stepSize;  // s
 
 #if STRESSES
 layout(location = 0) out vec4 newStress[kStressLayers];
@@ -78,6 +78,7 @@ void centralTetrahedron(ElementLaw law, vec3 reciprocal) {
 }
 
 void main() {
+    ivec2 texel = ivec2(gl_FragCoord.xy);
     int cell = fragmentIndex();
 #if STRESSES
     for (int i = 0; i < kStressLayers; ++i) newStress[i] = vec4(0.0);
@@ -91,9 +92,8 @@ void main() {
     int parity = parityOf(record);
     // An odd cell is an even one seen in a mirror across x: corner k stands for k ^ 1, and x runs backwards.
     for (int k = 0; k < 8; ++k) {
-        ivec2 texel = texelAddress(8 * cell + (k ^ parity));
-        u[k] = texelFetch(nodes, ivec3(texel, 0), 0).xyz;
-        v[k] = texelFetch(nodes, ivec3(texel, 1), 0).xyz;
+        u[k] = texelFetch(nodes, ivec3(texel, displacementLayer(k ^ parity)), 0).xyz;
+        v[k] = texelFetch(nodes, ivec3(texel, velocityLayer(k ^ parity)), 0).xyz;
         f[k] = vec3(0.0);
     }
     vec3 r = 1.0 / law.cellSize.xyz;

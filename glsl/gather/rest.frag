@@ -1,8 +1,8 @@
 // Rest check, once a frame: one fragment per chunk of a body's cells. What its nodes and bonds did since the last one.
 #include "gather/cell_texel.glsl"
+#include "gather/node.glsl"
 
 uniform usamplerBuffer chunks;  // first cell, number of cells
-uniform sampler2DArray nodes;   // layer 1, w: largest squared speed, m²/s²
 uniform sampler2DArray bonds;   // layer 0, w: 1 where damage grew
 
 layout(location = 0) out vec4 unrest;  // largest squared speed, m²/s²; 1 where damage grew; zw unused
@@ -11,9 +11,11 @@ void main() {
     uvec2 chunk = texelFetch(chunks, fragmentIndex()).xy;
     int first = int(chunk.x), end = first + int(chunk.y);
     float speed = 0.0, damage = 0.0;
-    for (int node = 8 * first; node < 8 * end; ++node)
-        speed = max(speed, texelFetch(nodes, ivec3(texelAddress(node), 1), 0).w);
-    for (int cell = first; cell < end; ++cell)
-        damage = max(damage, texelFetch(bonds, ivec3(texelAddress(cell), 0), 0).w);
+    for (int cell = first; cell < end; ++cell) {
+        ivec2 texel = texelAddress(cell);
+        for (int corner = 0; corner < 8; ++corner)
+            speed = max(speed, texelFetch(nodes, ivec3(texel, velocityLayer(corner)), 0).w);
+        damage = max(damage, texelFetch(bonds, ivec3(texel, 0), 0).w);
+    }
     unrest = vec4(speed, damage, 0.0, 0.0);
 }

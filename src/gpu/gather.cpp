@@ -24,8 +24,17 @@ TexelRange cellsOf(const World& world, int index) {
     return {body.firstCell, body.firstCell + body.cellCount()};
 }
 
-TexelRange nodesOf(TexelRange cells) {
-    return {kCorners * cells.first, kCorners * cells.end};
+/// Of several bodies; those that are neighbours in the numbering become one range.
+std::vector<TexelRange> rangesOf(const World& world, const std::vector<int>& bodies) {
+    std::vector<TexelRange> ranges;
+    for (const int body : bodies) {
+        const TexelRange own = cellsOf(world, body);
+        if (!ranges.empty() && ranges.back().end == own.first)
+            ranges.back().end = own.end;
+        else
+            ranges.push_back(own);
+    }
+    return ranges;
 }
 
 /// Layers of glsl/gather/stress.glsl.
@@ -39,10 +48,10 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
     : world_(world),
       buffers_(buffers),
       breakable_(world.breakable()),
-      columns_(texelColumns(world.nodeCount())),
+      columns_(texelColumns(world.cellCount())),
       events_(world),
-      nodes_{TexelTarget(world.nodeCount(), columns_, 2, "nodes"),
-             TexelTarget(world.nodeCount(), columns_, 2, "nodes")},
+      nodes_{TexelTarget(world.cellCount(), columns_, 2 * kCorners, "nodes"),
+             TexelTarget(world.cellCount(), columns_, 2 * kCorners, "nodes")},
       bonds_{TexelTarget(world.cellCount(), columns_, 2, "bonds"),
              TexelTarget(world.cellCount(), columns_, 2, "bonds")},
       forces_(world.cellCount(), columns_, kCorners, "forces"),
@@ -50,13 +59,14 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
       links_(world.cellCount(), columns_, SUNDER_LINK_TEXELS, "links"),
       forceProgram_(texelProgram("gather/element.frag", forces_, {{"STRESSES", "0"}})),
       linkProgram_(texelProgram("gather/links.frag", links_)),
-      nodePrograms_{texelProgram("gather/node.frag", nodes_[0], {{"EVENTS", "0"}}),
-                    texelProgram("gather/node.frag", nodes_[0], {{"EVENTS", "1"}})},
-      stillNodeProgram_(texelProgram("gather/still.frag", nodes_[0], {{"NODES", "1"}})),
+      plainNodes_(nodePass("0")),
+      pushedNodes_(nodePass("1")),
       stillBondProgram_(texelProgram("gather/still.frag", bonds_[0], {{"NODES", "0"}})),
-      stepInFrameUniform_(nodePrograms_[1].uniform("stepInFrame")),
+      stillNodePrograms_{
+          texelProgram("gather/still.frag", nodes_[0], {{"NODES", "1"}, {"FIRST", "0"}}),
+          texelProgram("gather/still.frag", nodes_[0], {{"NODES", "1"}, {"FIRST", "4"}})},
       bodies_(world.bodies().size(), BodyState::Awake),
-      awake_(world.bodies().size()),
+      awake_(world.bodies().size(), "awake cells"),
       monitor_(world, columns_) {
     if (breakable_) {
         const gl::Defines defines = breakDefines(world);
@@ -65,7 +75,6 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
         bondProgram_ = texelProgram("gather/fracture.frag", bonds_[0], defines);
         bondWatchUniform_ = bondProgram_.uniform("newWatch");
     }
-    for (int i = 0; i < 2; ++i) nodeWatchUniforms_[i] = nodePrograms_[i].uniform("newWatch");
     setState(world.initialState());
 }
 
@@ -76,6 +85,19 @@ gl::Program GatherSolver::texelProgram(const char* fragment, const TexelTarget& 
     setConstants(program, world_, columns_);
     target.prepare(program);
     return program;
+}
+
+GatherSolver::NodePass GatherSolver::nodePass(const char* events) const {
+    NodePass pass;
+    constexpr const char* first[kNodeParts] = {"0", "4"};
+    for (std::size_t part = 0; part < kNodeParts; ++part) {
+        gl::Program& program = pass.programs[part];
+        program = texelProgram("gather/node.frag", nodes_[0],
+                               {{"EVENTS", events}, {"FIRST", first[part]}});
+        pass.newWatch[part] = program.uniform("newWatch");
+        pass.stepInFrame[part] = program.uniform("stepInFrame");
+    }
+    return pass;
 }
 
 State GatherSolver::state() const {
@@ -103,10 +125,10 @@ void GatherSolver::adopt(int body, const State& state) {
     bodies_[body] = BodyState::Awake;
     monitor_.disturb(body, step_);
     bodiesChanged();
-    BodyRanges own(1);
-    own.set(world_, {body}, columns_);
+    TexelRanges own(1, "adopted cells");
+    own.set(std::array{cellsOf(world_, body)}, columns_);
     bindInputs();
-    links_.fill(linkProgram_, own.cells);
+    links_.fill(linkProgram_, own);
 }
 
 void GatherSolver::release(int body, State& state) {
@@ -120,70 +142,65 @@ void GatherSolver::show(int body, const State& state) {
 }
 
 void GatherSolver::write(TexelRange cells, const State& state) {
-    const TexelRange nodes = nodesOf(cells);
-    std::vector<vec4> u, v, damage, slow;
-    for (int node = nodes.first; node < nodes.end; ++node) {
-        u.push_back(toVec4(state.displacement[node], world_.restPosition(node)[1]));
-        v.push_back(toVec4(state.velocity[node], 0));
+    std::vector<vec4> u(static_cast<std::size_t>(cells.end - cells.first)), v = u, damage = u,
+                                                                            slow = u;
+    for (int corner = 0; corner < kCorners; ++corner) {
+        for (std::size_t i = 0; i < u.size(); ++i) {
+            const int node = kCorners * (cells.first + static_cast<int>(i)) + corner;
+            u[i] = toVec4(state.displacement[node], world_.restPosition(node)[1]);
+            v[i] = toVec4(state.velocity[node], 0);
+        }
+        nodes_[currentNodes_].write(2 * corner, cells.first, u);
+        nodes_[currentNodes_].write(2 * corner + 1, cells.first, v);
     }
-    for (int cell = cells.first; cell < cells.end; ++cell) {
-        const double *d = &state.damage[kBondsPerCell * cell],
-                     *s = &state.slow[kBondsPerCell * cell];
-        damage.push_back(toVec4({d[0], d[1], d[2]}, 0));
-        slow.push_back(toVec4({s[0], s[1], s[2]}, 0));
-    }
-    nodes_[currentNodes_].write(0, nodes.first, u);
-    nodes_[currentNodes_].write(1, nodes.first, v);
+    for (std::size_t i = 0; i < damage.size(); ++i)
+        for (int axis = 0; axis < kBondsPerCell; ++axis) {
+            const int bond = kBondsPerCell * (cells.first + static_cast<int>(i)) + axis;
+            damage[i][axis] = static_cast<float>(state.damage[bond]);
+            slow[i][axis] = static_cast<float>(state.slow[bond]);
+        }
     bonds_[currentBonds_].write(0, cells.first, damage);
     bonds_[currentBonds_].write(1, cells.first, slow);
 }
 
 void GatherSolver::read(TexelRange cells, State& state) const {
-    const TexelRange nodes = nodesOf(cells);
-    const std::vector<vec4> u = nodes_[currentNodes_].read(0, nodes),
-                            v = nodes_[currentNodes_].read(1, nodes);
-    for (int node = nodes.first; node < nodes.end; ++node) {
-        const vec4 &from = u[node - nodes.first], &rate = v[node - nodes.first];
-        state.displacement[node] = {from.x, from.y, from.z};
-        state.velocity[node] = {rate.x, rate.y, rate.z};
+    for (int corner = 0; corner < kCorners; ++corner) {
+        const std::vector<vec4> u = nodes_[currentNodes_].read(2 * corner, cells),
+                                v = nodes_[currentNodes_].read(2 * corner + 1, cells);
+        for (std::size_t i = 0; i < u.size(); ++i) {
+            const int node = kCorners * (cells.first + static_cast<int>(i)) + corner;
+            state.displacement[node] = {u[i].x, u[i].y, u[i].z};
+            state.velocity[node] = {v[i].x, v[i].y, v[i].z};
+        }
     }
     const std::vector<vec4> damage = bonds_[currentBonds_].read(0, cells),
                             slow = bonds_[currentBonds_].read(1, cells);
-    for (int cell = cells.first; cell < cells.end; ++cell)
+    for (std::size_t i = 0; i < damage.size(); ++i)
         for (int axis = 0; axis < kBondsPerCell; ++axis) {
-            state.damage[kBondsPerCell * cell + axis] = damage[cell - cells.first][axis];
-            state.slow[kBondsPerCell * cell + axis] = slow[cell - cells.first][axis];
+            const int bond = kBondsPerCell * (cells.first + static_cast<int>(i)) + axis;
+            state.damage[bond] = damage[i][axis];
+            state.slow[bond] = slow[i][axis];
         }
 }
 
-/// Bodies that are neighbours in the numbering become one range.
-void GatherSolver::BodyRanges::set(const World& world, const std::vector<int>& bodies,
-                                   int columns) {
-    std::vector<TexelRange> cellRanges, nodeRanges;
-    for (const int index : bodies) {
-        const TexelRange own = cellsOf(world, index);
-        if (!cellRanges.empty() && cellRanges.back().end == own.first)
-            cellRanges.back().end = own.end;
-        else
-            cellRanges.push_back(own);
-    }
-    for (const TexelRange& range : cellRanges) nodeRanges.push_back(nodesOf(range));
-    cells.set(cellRanges, columns);
-    nodes.set(nodeRanges, columns);
-}
-
-void GatherSolver::Copy::update(const TexelTarget& from, int layer, const char* what) {
+void GatherSolver::Copy::update(const TexelTarget& from, std::initializer_list<int> layers,
+                                const char* what) {
     if (buffer.size() == 0) {
-        buffer = gl::Buffer(from.bufferBytes(), nullptr, GL_STREAM_COPY, what);
+        buffer = gl::Buffer(layers.size() * from.layerBytes(), nullptr, GL_STREAM_COPY, what);
         texture = gl::makeBufferTexture(buffer, GL_RGBA32F, what);
     }
-    from.copy(layer, buffer);
+    std::size_t offset = 0;
+    for (const int layer : layers) {
+        from.copy(layer, buffer, offset);
+        offset += from.layerBytes();
+    }
 }
 
 StateView GatherSolver::view() {
-    drawnNodes_.update(nodes_[currentNodes_], 0, "drawn nodes");
-    drawnDamage_.update(bonds_[currentBonds_], 0, "drawn bonds");
-    return {&drawnNodes_.texture, 1, &drawnDamage_.texture, 1};
+    drawnNodes_.update(nodes_[currentNodes_], {0, 2, 4, 6, 8, 10, 12, 14}, "drawn nodes");
+    drawnDamage_.update(bonds_[currentBonds_], {0}, "drawn bonds");
+    return {&drawnNodes_.texture, 1, static_cast<int>(nodes_[0].layerTexels()),
+            &drawnDamage_.texture, 1};
 }
 
 void GatherSolver::finish() {
@@ -205,11 +222,11 @@ void GatherSolver::advance(int steps) {
     bindInputs();
     for (int i = 0; i < steps; ++i, ++step_) {
         if (step_ >= nextWake_) wakePushed();
-        if (awake_.cells.rectangles() == 0) continue;
+        if (awake_.rectangles() == 0) continue;
         if (step_ % monitor_.interval() == 0) watch();
         {
             const TimedPass timed(passTimer_, "elements");
-            forces_.fill(forceProgram_, awake_.cells);
+            forces_.fill(forceProgram_, awake_);
         }
         // Stresses are those before the nodes move; what they break shows in the links of the next
         // step.
@@ -225,29 +242,32 @@ void GatherSolver::advance(int steps) {
 void GatherSolver::updateBonds() {
     {
         const TimedPass timed(passTimer_, "stresses");
-        stresses_.fill(stressProgram_, awake_.cells);
+        stresses_.fill(stressProgram_, awake_);
     }
     const TimedPass timed(passTimer_, "bonds");
     bondProgram_.use();
     glUniform1i(bondWatchUniform_, std::exchange(newBondWatch_, false));
     currentBonds_ = 1 - currentBonds_;
-    bonds_[currentBonds_].fill(bondProgram_, awake_.cells);
+    bonds_[currentBonds_].fill(bondProgram_, awake_);
     gl::bindTexture(kBonds, GL_TEXTURE_2D_ARRAY, bonds_[currentBonds_].texture());
 }
 
 void GatherSolver::updateLinks() {
     const TimedPass timed(passTimer_, "links");
-    links_.fill(linkProgram_, awake_.cells);
+    links_.fill(linkProgram_, awake_);
 }
 
 void GatherSolver::updateNodes(bool events, int stepInFrame) {
     const TimedPass timed(passTimer_, "nodes");
-    const gl::Program& program = nodePrograms_[events];
-    program.use();
-    glUniform1i(nodeWatchUniforms_[events], std::exchange(newNodeWatch_, false));
-    if (events) glUniform1f(stepInFrameUniform_, static_cast<float>(stepInFrame));
+    const NodePass& pass = events ? pushedNodes_ : plainNodes_;
     currentNodes_ = 1 - currentNodes_;
-    nodes_[currentNodes_].fill(program, awake_.nodes);
+    for (int part = 0; part < kNodeParts; ++part) {
+        pass.programs[part].use();
+        glUniform1i(pass.newWatch[part], newNodeWatch_);
+        if (events) glUniform1f(pass.stepInFrame[part], static_cast<float>(stepInFrame));
+        nodes_[currentNodes_].fill(pass.programs[part], awake_, part);
+    }
+    newNodeWatch_ = false;
     gl::bindTexture(kNodes, GL_TEXTURE_2D_ARRAY, nodes_[currentNodes_].texture());
 }
 
@@ -266,17 +286,19 @@ void GatherSolver::watch() {
 /// Their velocities become zero, and both halves of the ping-pong the same: the passes no longer
 /// touch them.
 void GatherSolver::fallAsleep(const std::vector<int>& calm) {
-    BodyRanges falling(calm.size());
-    falling.set(world_, calm, columns_);
-    const auto copy = [](const gl::Program& program, const TexelTarget& from, const TexelTarget& to,
-                         const TexelRanges& ranges) {
+    TexelRanges falling(calm.size(), "calm cells");
+    falling.set(rangesOf(world_, calm), columns_);
+    const auto copy = [&](const gl::Program& program, const TexelTarget& from,
+                          const TexelTarget& to, int part) {
         gl::bindTexture(kRecords, GL_TEXTURE_2D_ARRAY, from.texture());
-        to.fill(program, ranges);
+        to.fill(program, falling, part);
     };
     const TexelTarget &nodes = nodes_[currentNodes_], &otherNodes = nodes_[1 - currentNodes_];
-    copy(stillNodeProgram_, nodes, otherNodes, falling.nodes);
-    copy(stillNodeProgram_, otherNodes, nodes, falling.nodes);
-    copy(stillBondProgram_, bonds_[currentBonds_], bonds_[1 - currentBonds_], falling.cells);
+    for (int part = 0; part < kNodeParts; ++part) {
+        copy(stillNodePrograms_[part], nodes, otherNodes, part);
+        copy(stillNodePrograms_[part], otherNodes, nodes, part);
+    }
+    copy(stillBondProgram_, bonds_[currentBonds_], bonds_[1 - currentBonds_], 0);
     for (const int body : calm) bodies_[body] = BodyState::Asleep;
     bodiesChanged();
 }
@@ -298,7 +320,7 @@ void GatherSolver::bodiesChanged() {
         if (bodies_[index] == BodyState::Asleep)
             nextWake_ = std::min(nextWake_, nextPush(world_, index, step_));
     }
-    awake_.set(world_, awake, columns_);
+    awake_.set(rangesOf(world_, awake), columns_);
 }
 
 }  // namespace sunder::gpu

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <initializer_list>
 
 #include "core/body_host.hpp"
 #include "gpu/event_buffer.hpp"
@@ -10,11 +11,11 @@
 namespace sunder::gpu {
 
 /// The fast GPU method: every pass fills float textures, ping-pong. One fragment per cell computes
-/// its five tetrahedra and writes the forces on its eight nodes; one fragment per node gathers the
-/// forces of the joined copies and writes the new state. No geometry shader, no blending, the same
-/// result on every run of one driver. Stresses, bonds and links run only on the steps that need
-/// them; nothing is read back while it advances. Bodies at rest sleep (core/sleep.hpp): the passes
-/// leave their texels out.
+/// its five tetrahedra and writes the forces on its eight nodes; two more gather for four nodes
+/// each the forces of the joined copies and write the new state. No geometry shader, no blending,
+/// the same result on every run of one driver. Stresses, bonds and links run only on the steps that
+/// need them; nothing is read back while it advances. Bodies at rest sleep (core/sleep.hpp): the
+/// passes leave their texels out.
 ///
 /// Fragments rather than vertices with transform feedback: on an NVIDIA H200 feedback writes some
 /// four thousand million floats a second and no more, which is what a step then takes.
@@ -42,20 +43,21 @@ class GatherSolver : public GpuSolver, public BodyHost {
 
   private:
     enum class BodyState { Awake, Asleep, Elsewhere };
-    /// Texels that a set of bodies has in textures of cells and of nodes.
-    struct BodyRanges {
-        TexelRanges cells, nodes;
-        explicit BodyRanges(std::size_t bodies)
-            : cells(bodies, "ranges of cells"), nodes(bodies, "ranges of nodes") {}
-        void set(const World& world, const std::vector<int>& bodies, int columns);
-    };
-    /// A texture buffer that a layer is copied to for drawing.
+    /// A texture buffer that layers are copied to, one after the other, for drawing.
     struct Copy {
         gl::Buffer buffer;
         gl::Texture texture;
-        void update(const TexelTarget& from, int layer, const char* what);
+        void update(const TexelTarget& from, std::initializer_list<int> layers, const char* what);
     };
 
+    static constexpr int kNodeParts = 2;  ///< a fragment writes four nodes of its cell
+    /// The programs for either half of a cell's nodes.
+    struct NodePass {
+        std::array<gl::Program, kNodeParts> programs;
+        std::array<GLint, kNodeParts> newWatch, stepInFrame;
+    };
+
+    NodePass nodePass(const char* events) const;
     gl::Program texelProgram(const char* fragment, const TexelTarget& target,
                              gl::Defines defines = {}) const;
     void bindInputs() const;
@@ -75,22 +77,22 @@ class GatherSolver : public GpuSolver, public BodyHost {
     bool breakable_;
     int columns_;  ///< of all textures
     EventBuffer events_;
-    std::array<TexelTarget, 2> nodes_;  ///< per node: displacement (w: rest height); velocity (w:
-                                        ///< largest squared speed since the last look)
-    std::array<TexelTarget, 2> bonds_;  ///< per cell: BondRecord
-    TexelTarget forces_;                ///< per cell: force on each corner
-    TexelTarget stresses_;              ///< per cell: glsl/gather/stress.glsl
-    TexelTarget links_;                 ///< per cell: LinkRecord
+    // One texel per cell in all of them.
+    std::array<TexelTarget, 2> nodes_;         ///< glsl/gather/node.glsl
+    std::array<TexelTarget, 2> bonds_;         ///< BondRecord
+    TexelTarget forces_;                       ///< on each corner
+    TexelTarget stresses_;                     ///< glsl/gather/stress.glsl
+    TexelTarget links_;                        ///< LinkRecord
     int currentNodes_ = 0, currentBonds_ = 0;  ///< read; the other is written
     Copy drawnNodes_, drawnDamage_;
     gl::Program forceProgram_, stressProgram_, bondProgram_, linkProgram_;
-    std::array<gl::Program, 2> nodePrograms_;  ///< [1] also applies events
-    gl::Program stillNodeProgram_, stillBondProgram_;
-    GLint stepInFrameUniform_ = -1, bondWatchUniform_ = -1;
-    std::array<GLint, 2> nodeWatchUniforms_{};
+    NodePass plainNodes_, pushedNodes_;
+    gl::Program stillBondProgram_;
+    std::array<gl::Program, kNodeParts> stillNodePrograms_;
+    GLint bondWatchUniform_ = -1;
 
     std::vector<BodyState> bodies_;
-    BodyRanges awake_;
+    TexelRanges awake_;
     RestMonitor monitor_;
     bool newNodeWatch_ = true, newBondWatch_ = true;  ///< no step, no update since the last look
     std::int64_t nextWake_ = 0;  ///< no event acts on a sleeping body before this step

@@ -55,7 +55,7 @@ RestMonitor::RestMonitor(const World& world, int columns)
     const TexelRange every{0, chunk};
     all_.set({&every, 1}, columns);
     for (Answer& answer : answers_)
-        answer.texels = gl::Buffer(unrest_.bufferBytes(), nullptr, GL_STREAM_READ, "unrest");
+        answer.texels = gl::Buffer(unrest_.layerBytes(), nullptr, GL_STREAM_READ, "unrest");
 }
 
 void RestMonitor::disturb(int body, std::int64_t step) {

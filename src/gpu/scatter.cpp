@@ -135,8 +135,8 @@ void ScatterSolver::setState(const State& state) {
 }
 
 StateView ScatterSolver::view() {
-    return {&nodes_[currentNodes_].nodes.texture(), kNodeTexels, &bonds_.bonds().texture(),
-            kBondTexels};
+    return {&nodes_[currentNodes_].nodes.texture(), kCorners * kNodeTexels, kNodeTexels,
+            &bonds_.bonds().texture(), kBondTexels};
 }
 
 void ScatterSolver::finish() {

@@ -6,6 +6,12 @@
 #include "gpu/feedback.hpp"
 
 namespace sunder::gpu {
+namespace {
+
+/// Outputs of one fragment that every driver has.
+constexpr int kLayersAtOnce = 8;
+
+}  // namespace
 
 int texelColumns(std::int64_t count) {
     std::int64_t columns = 64;
@@ -28,18 +34,20 @@ TexelTarget::TexelTarget(int count, int columns, int layers, const char* what)
     : columns_(columns),
       rows_(texelRows(count, columns, what)),
       texture_(gl::makeTextureArray(columns, rows_, layers, GL_RGBA32F, what)),
-      framebuffer_(gl::makeFramebuffer()),
       noAttributes_(gl::makeVertexArray()) {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-    std::vector<GLenum> attachments;
-    for (int layer = 0; layer < layers; ++layer) {
-        attachments.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(layer));
-        glFramebufferTextureLayer(GL_FRAMEBUFFER, attachments.back(), texture_.id(), 0, layer);
+    for (int first = 0; first < layers; first += kLayersAtOnce) {
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffers_.emplace_back(gl::makeFramebuffer()).id());
+        std::vector<GLenum> attachments;
+        for (int layer = first; layer < std::min(layers, first + kLayersAtOnce); ++layer) {
+            attachments.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(layer - first));
+            glFramebufferTextureLayer(GL_FRAMEBUFFER, attachments.back(), texture_.id(), 0, layer);
+        }
+        glDrawBuffers(static_cast<GLsizei>(attachments.size()), attachments.data());
+        if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+            throw ContextError(
+                "the driver cannot draw into floating-point textures, which the gather solver "
+                "needs");
     }
-    glDrawBuffers(layers, attachments.data());
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw ContextError(
-            "the driver cannot draw into floating-point textures, which the gather solver needs");
 }
 
 void TexelTarget::prepare(const gl::Program& program) const {
@@ -47,9 +55,9 @@ void TexelTarget::prepare(const gl::Program& program) const {
     glUniform2i(program.uniform("targetSize"), columns_, rows_);
 }
 
-void TexelTarget::fill(const gl::Program& program, const TexelRanges& ranges) const {
+void TexelTarget::fill(const gl::Program& program, const TexelRanges& ranges, int part) const {
     if (ranges.rectangles() == 0) return;
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffers_[static_cast<std::size_t>(part)].id());
     glViewport(0, 0, columns_, rows_);
     gl::bindTexture(kRectangles, GL_TEXTURE_BUFFER, ranges.texture());
     program.use();
@@ -71,8 +79,7 @@ void TexelTarget::write(int layer, int first, std::span<const vec4> texels) {
 
 std::vector<vec4> TexelTarget::read(int layer, TexelRange range) const {
     std::vector<vec4> texels(static_cast<std::size_t>(range.end - range.first));
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-    glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(layer));
+    bindForReading(layer);
     vec4* to = texels.data();
     for (const auto& [x0, y0, x1, y1] : rectanglesOf(range, columns_)) {
         glReadPixels(x0, y0, x1 - x0, y1 - y0, GL_RGBA, GL_FLOAT, to);
@@ -81,16 +88,21 @@ std::vector<vec4> TexelTarget::read(int layer, TexelRange range) const {
     return texels;
 }
 
-void TexelTarget::copy(int layer, const gl::Buffer& buffer) const {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-    glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(layer));
+void TexelTarget::copy(int layer, const gl::Buffer& buffer, std::size_t offset) const {
+    bindForReading(layer);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer.id());
-    glReadPixels(0, 0, columns_, rows_, GL_RGBA, GL_FLOAT, nullptr);
+    glReadPixels(0, 0, columns_, rows_, GL_RGBA, GL_FLOAT, reinterpret_cast<void*>(offset));
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
 
-std::size_t TexelTarget::bufferBytes() const {
-    return sizeof(vec4) * static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+void TexelTarget::bindForReading(int layer) const {
+    const int part = layer / kLayersAtOnce;
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffers_[static_cast<std::size_t>(part)].id());
+    glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(layer % kLayersAtOnce));
+}
+
+std::size_t TexelTarget::layerTexels() const {
+    return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
 }
 
 }  // namespace sunder::gpu

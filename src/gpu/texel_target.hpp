@@ -16,8 +16,8 @@ int texelColumns(std::int64_t count);
 /// the device's textures are not that large.
 int texelRows(std::int64_t count, int columns, const char* what);
 
-/// Records of up to eight vec4s, one record per texel, one layer per vec4: what fragments write and
-/// later passes read.
+/// Records of vec4s, one record per texel, one layer per vec4: what fragments write and later
+/// passes read. A program fills up to eight layers at once; more layers are more parts.
 class TexelTarget {
   public:
     TexelTarget(int count, int columns, int layers, const char* what);
@@ -27,21 +27,25 @@ class TexelTarget {
     /// Once for every program that is to fill this target or one of its size: tells it the size.
     void prepare(const gl::Program& program) const;
     /// Runs a program whose vertex shader is gather/texels.vert: a fragment for every texel in
-    /// `ranges`.
-    void fill(const gl::Program& program, const TexelRanges& ranges) const;
+    /// `ranges`. Its outputs are layers 8·part, 8·part + 1, … .
+    void fill(const gl::Program& program, const TexelRanges& ranges, int part = 0) const;
 
     /// Replaces texels from number `first` on.
     void write(int layer, int first, std::span<const vec4> texels);
     /// Waits for the GPU.
     std::vector<vec4> read(int layer, TexelRange range) const;
-    /// Copies a layer within the GPU to the start of a buffer of at least bufferBytes().
-    void copy(int layer, const gl::Buffer& buffer) const;
-    std::size_t bufferBytes() const;
+    /// Copies a layer within the GPU into a buffer, from byte number `offset` on.
+    void copy(int layer, const gl::Buffer& buffer, std::size_t offset = 0) const;
+    std::size_t layerBytes() const { return sizeof(vec4) * layerTexels(); }
+    std::size_t layerTexels() const;
 
   private:
+    /// Reads will come from that layer.
+    void bindForReading(int layer) const;
+
     int columns_, rows_;
     gl::Texture texture_;
-    gl::Framebuffer framebuffer_;
+    std::vector<gl::Framebuffer> framebuffers_;  ///< one per part
     gl::VertexArray noAttributes_;
 };
 

@@ -157,7 +157,7 @@ StateUpload::StateUpload(const World& world) : nodes_(world), bonds_(world) {}
 StateView StateUpload::upload(const State& state) {
     nodes_.write(state);
     bonds_.write(state);
-    return {&nodes_.texture(), kNodeTexels, &bonds_.texture(), kBondTexels};
+    return {&nodes_.texture(), kCorners * kNodeTexels, kNodeTexels, &bonds_.texture(), kBondTexels};
 }
 
 }  // namespace sunder::gpu

@@ -67,7 +67,7 @@ class BondBuffer {
 /// What a picture is drawn from, whichever solver made it.
 struct StateView {
     const gl::Texture* displacements;  ///< texture buffer, RGBA32F; xyz: m from rest
-    int displacementStride;            ///< texels from one node's to the next
+    int cellStride, cornerStride;      ///< texels from one cell's to the next, one corner's
     const gl::Texture* damage;  ///< texture buffer, RGBA32F; xyz: of the bonds each cell owns
     int damageStride;           ///< texels from one cell's to the next
 };

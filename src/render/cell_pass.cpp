@@ -49,7 +49,7 @@ void CellPass::draw(const gpu::StateView& state, const glm::mat4& viewProjection
     gl::bindTexture(kBondUnit, GL_TEXTURE_BUFFER, *state.damage);
     glUniform1i(program_.uniform("damageStride"), state.damageStride);
     gl::bindTexture(kNodeUnit, GL_TEXTURE_BUFFER, *state.displacements);
-    glUniform1i(program_.uniform("displacementStride"), state.displacementStride);
+    glUniform2i(program_.uniform("displacementStrides"), state.cellStride, state.cornerStride);
     gl::bindTexture(kRestUnit, GL_TEXTURE_BUFFER, buffers_.rest());
     glBindBufferBase(GL_UNIFORM_BUFFER, kLawBinding, buffers_.laws().id());
     glBindVertexArray(noAttributes_.id());
