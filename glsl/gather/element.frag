@@ -85,7 +85,7 @@ void main() {
 #else
     for (int k = 0; k < 8; ++k) newForces[k] = vec4(0.0);
 #endif
-    uvec2 record = cellRecord(cell);
+    uvec4 record = cellRecord(cell);
     uint lawIndex = lawOf(record);
     if (lawIndex == SUNDER_ABSENT) return;
     ElementLaw law = laws[lawIndex];

@@ -36,7 +36,7 @@ void updateBondAlong(int axis, int cell, int other, int parity, ElementLaw law, 
 }
 
 void updateBonds(int cell, inout vec3 damage, inout vec3 slow) {
-    uvec2 record = cellRecord(cell);
+    uvec4 record = cellRecord(cell);
     uint lawIndex = lawOf(record);
     if (lawIndex == SUNDER_ABSENT) return;
     ElementLaw law = laws[lawIndex];

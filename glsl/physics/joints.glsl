@@ -3,12 +3,10 @@
 #include "physics/lattice.glsl"
 #include "physics/links.glsl"
 
-uniform samplerBuffer strengths;  // w: mass of a corner, kg
-
 vec3 damageOf(int cell);  // of the bonds through its +x, +y, +z faces
 
 LinkRecord joints(int cell) {
-    uvec2 record = cellRecord(cell);
+    uvec4 record = cellRecord(cell);
     if (lawOf(record) == SUNDER_ABSENT) return LinkRecord(vec4(0.0), vec4(0.0), vec4(0.0));
     ivec3 strides = cellStrides(ivec4(bodyRecord(bodyOf(record)).lattice));
 
@@ -25,8 +23,9 @@ LinkRecord joints(int cell) {
         bool inside = (record.x >> uint(SUNDER_CELL_SIDES_BIT) & sides) == 0u;
         ivec3 steps = offset * strides;
         int other = inside ? cell + steps.x + steps.y + steps.z : cell;
-        masses[i] = texelFetch(strengths, other).w;
-        anchors[i] = cellRecord(other).x >> uint(SUNDER_CELL_ANCHORS_BIT);
+        uvec4 otherRecord = cellRecord(other);
+        masses[i] = cornerMass(otherRecord);
+        anchors[i] = otherRecord.x >> uint(SUNDER_CELL_ANCHORS_BIT);
         vec3 damage = damageOf(other);
         held[i] = inside ? uint(damage.x < 1.0) | uint(damage.y < 1.0) << 1u | uint(damage.z < 1.0) << 2u : 0u;
     }

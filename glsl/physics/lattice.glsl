@@ -6,11 +6,13 @@ uniform samplerBuffer bodies;  // SUNDER_BODY_TEXELS per body
 
 layout(std140) uniform ElementLaws { ElementLaw laws[SUNDER_MAX_ELEMENT_LAWS]; };
 
-uvec2 cellRecord(int cell) { return texelFetch(cells, cell).rg; }
-uint lawOf(uvec2 record) { return record.x & SUNDER_CELL_LAW; }
-int bodyOf(uvec2 record) { return int(record.y); }
+uvec4 cellRecord(int cell) { return texelFetch(cells, cell); }
+uint lawOf(uvec4 record) { return record.x & SUNDER_CELL_LAW; }
+int bodyOf(uvec4 record) { return int(record.y); }
+// kg, of each copy of its nodes.
+float cornerMass(uvec4 record) { return uintBitsToFloat(record.z); }
 // Which of the two mirrored splits into tetrahedra a cell has: 0 or 1.
-int parityOf(uvec2 record) { return (record.x & SUNDER_CELL_ODD) != 0u ? 1 : 0; }
+int parityOf(uvec4 record) { return (record.x & SUNDER_CELL_ODD) != 0u ? 1 : 0; }
 
 BodyRecord bodyRecord(int body) {
     int first = SUNDER_BODY_TEXELS * body;

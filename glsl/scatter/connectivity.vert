@@ -13,7 +13,7 @@ void main() {
     int cell = gl_VertexID >> 3, corner = gl_VertexID & 7, own = corner ^ 7;
     gl_Position = texelPosition(gl_VertexID, targetHeight);
     cumulative = vec4(0.0);
-    uvec2 record = cellRecord(cell);
+    uvec4 record = cellRecord(cell);
     if (lawOf(record) == SUNDER_ABSENT) return;
     ivec3 strides = cellStrides(ivec4(bodyRecord(bodyOf(record)).lattice));
     uint mask = linkMaskOf(texelFetch(links, SUNDER_LINK_TEXELS * cell), corner);

@@ -2,7 +2,7 @@
 // namespace sunder::gpu (src/gpu/layout.hpp), where vec4 and uvec4 are glm's.
 
 #define SUNDER_MAX_ELEMENT_LAWS 256
-// Cell record, two unsigned integers: the bits below; body.
+// Cell record, four unsigned integers: the bits below; body; mass of a corner (kg, bits of a float); unused.
 #define SUNDER_CELL_LAW 511u      // row of the table of laws, or SUNDER_ABSENT
 #define SUNDER_ABSENT 511u        // no cell here
 #define SUNDER_CELL_ODD 512u      // i + j + k is odd: the mirrored split into tetrahedra

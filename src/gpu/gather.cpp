@@ -37,11 +37,6 @@ std::vector<TexelRange> rangesOf(const World& world, const std::vector<int>& bod
     return ranges;
 }
 
-/// Layers of glsl/gather/stress.glsl.
-int stressLayers(const World& world) {
-    return std::max(1, 6 * world.bondsBreak() + world.cellsBreak());
-}
-
 }  // namespace
 
 GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
@@ -55,7 +50,6 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
       bonds_{TexelTarget(world.cellCount(), columns_, 2, "bonds"),
              TexelTarget(world.cellCount(), columns_, 2, "bonds")},
       forces_(world.cellCount(), columns_, kCorners, "forces"),
-      stresses_(breakable_ ? world.cellCount() : 1, columns_, stressLayers(world), "stresses"),
       links_(world.cellCount(), columns_, SUNDER_LINK_TEXELS, "links"),
       forceProgram_(texelProgram("gather/element.frag", forces_, {{"STRESSES", "0"}})),
       linkProgram_(texelProgram("gather/links.frag", links_)),
@@ -71,7 +65,7 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
     if (breakable_) {
         const gl::Defines defines = breakDefines(world);
         stressProgram_ =
-            texelProgram("gather/element.frag", stresses_, with(defines, "STRESSES", "1"));
+            texelProgram("gather/element.frag", nodes_[0], with(defines, "STRESSES", "1"));
         bondProgram_ = texelProgram("gather/fracture.frag", bonds_[0], defines);
         bondWatchUniform_ = bondProgram_.uniform("newWatch");
     }
@@ -212,7 +206,6 @@ void GatherSolver::bindInputs() const {
     gl::bindTexture(kEvents, GL_TEXTURE_BUFFER, events_.texture());
     gl::bindTexture(kLinks, GL_TEXTURE_2D_ARRAY, links_.texture());
     gl::bindTexture(kForces, GL_TEXTURE_2D_ARRAY, forces_.texture());
-    gl::bindTexture(kStresses, GL_TEXTURE_2D_ARRAY, stresses_.texture());
     gl::bindTexture(kNodes, GL_TEXTURE_2D_ARRAY, nodes_[currentNodes_].texture());
     gl::bindTexture(kBonds, GL_TEXTURE_2D_ARRAY, bonds_[currentBonds_].texture());
 }
@@ -239,10 +232,13 @@ void GatherSolver::advance(int steps) {
     glFlush();
 }
 
+/// Stresses live for one pass: in the node textures that this step is about to fill.
 void GatherSolver::updateBonds() {
+    const TexelTarget& scratch = nodes_[1 - currentNodes_];
     {
         const TimedPass timed(passTimer_, "stresses");
-        stresses_.fill(stressProgram_, awake_);
+        scratch.fill(stressProgram_, awake_);
+        gl::bindTexture(kStresses, GL_TEXTURE_2D_ARRAY, scratch.texture());
     }
     const TimedPass timed(passTimer_, "bonds");
     bondProgram_.use();

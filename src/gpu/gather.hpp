@@ -81,7 +81,6 @@ class GatherSolver : public GpuSolver, public BodyHost {
     std::array<TexelTarget, 2> nodes_;         ///< glsl/gather/node.glsl
     std::array<TexelTarget, 2> bonds_;         ///< BondRecord
     TexelTarget forces_;                       ///< on each corner
-    TexelTarget stresses_;                     ///< glsl/gather/stress.glsl
     TexelTarget links_;                        ///< LinkRecord
     int currentNodes_ = 0, currentBonds_ = 0;  ///< read; the other is written
     Copy drawnNodes_, drawnDamage_;

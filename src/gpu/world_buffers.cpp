@@ -1,8 +1,8 @@
 #include "gpu/world_buffers.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <glm/vec2.hpp>
 #include <vector>
 
 #include "gpu/layout.hpp"
@@ -26,7 +26,7 @@ std::vector<float> restHeights(const World& world) {
 }
 
 gl::Buffer makeCells(const World& world) {
-    std::vector<glm::uvec2> cells(world.cellCount());
+    std::vector<glm::uvec4> cells(world.cellCount());
     for (int cell = 0; cell < world.cellCount(); ++cell) {
         const int body = world.bodyOf(cell);
         unsigned bits =
@@ -40,9 +40,10 @@ gl::Buffer makeCells(const World& world) {
         for (int corner = 0; corner < kCorners; ++corner)
             bits |= unsigned{world.anchored(kCorners * cell + corner)}
                     << (SUNDER_CELL_ANCHORS_BIT + corner);
-        cells[cell] = {bits, static_cast<unsigned>(body)};
+        const auto mass = static_cast<float>(world.nodeMass(kCorners * cell));
+        cells[cell] = {bits, static_cast<unsigned>(body), std::bit_cast<unsigned>(mass), 0};
     }
-    return gl::makeBuffer<glm::uvec2>(cells, GL_STATIC_DRAW, "cells");
+    return gl::makeBuffer<glm::uvec4>(cells, GL_STATIC_DRAW, "cells");
 }
 
 gl::Buffer makeBodies(const World& world) {
@@ -57,13 +58,11 @@ gl::Buffer makeBodies(const World& world) {
 }
 
 gl::Buffer makeStrengths(const World& world) {
-    std::vector<vec4> strengths(world.cellCount());
-    for (int cell = 0; cell < world.cellCount(); ++cell) {
-        strengths[cell].w = static_cast<float>(world.nodeMass(kCorners * cell));
+    std::vector<vec4> strengths(world.cellCount(), vec4(0));
+    for (int cell = 0; cell < world.cellCount(); ++cell)
         for (int axis = 0; axis < kBondsPerCell; ++axis)
             strengths[cell][axis] = std::min(world.bondStrength(kBondsPerCell * cell + axis),
                                              static_cast<float>(SUNDER_UNBREAKABLE));
-    }
     return gl::makeBuffer<vec4>(strengths, GL_STATIC_DRAW, "bond strengths");
 }
 
@@ -99,7 +98,7 @@ WorldBuffers::WorldBuffers(const World& world)
       strengthBuffer_(makeStrengths(world)),
       lawBuffer_(makeLaws(world)),
       restTexture_(gl::makeBufferTexture(restBuffer_, GL_RGBA32F, "rest positions")),
-      cellTexture_(gl::makeBufferTexture(cellBuffer_, GL_RG32UI, "cells")),
+      cellTexture_(gl::makeBufferTexture(cellBuffer_, GL_RGBA32UI, "cells")),
       bodyTexture_(gl::makeBufferTexture(bodyBuffer_, GL_RGBA32F, "bodies")),
       strengthTexture_(gl::makeBufferTexture(strengthBuffer_, GL_RGBA32F, "bond strengths")) {}
 

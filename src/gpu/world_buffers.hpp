@@ -16,12 +16,11 @@ class WorldBuffers {
     /// Texture buffer, RGBA32F, one texel per node: rest position (m); mass of this copy (kg),
     /// negative where the node is anchored, 0 in absent cells.
     const gl::Texture& rest() const { return restTexture_; }
-    /// Texture buffer, RG32UI, one texel per cell: its record (glsl/shared/layout.h).
+    /// Texture buffer, RGBA32UI, one texel per cell: its record (glsl/shared/layout.h).
     const gl::Texture& cells() const { return cellTexture_; }
     /// Texture buffer, RGBA32F, SUNDER_BODY_TEXELS per body (BodyRecord).
     const gl::Texture& bodies() const { return bodyTexture_; }
-    /// Texture buffer, RGBA32F, one texel per cell: strengths of the bonds it owns (Pa);
-    /// mass of a corner (kg).
+    /// Texture buffer, RGBA32F, one texel per cell: strengths of the bonds it owns (Pa).
     const gl::Texture& strengths() const { return strengthTexture_; }
     /// Uniform block ElementLaws.
     const gl::Buffer& laws() const { return lawBuffer_; }
