@@ -9,10 +9,14 @@
 namespace sunder {
 namespace {
 
-/// Frames of a trial that do not count: bodies have just moved, a driver compiles what it has not
-/// run before, clocks go up.
-constexpr int kWarmUpFrames = 2;
-constexpr int kMeasuredFrames = 3;
+/// A trial ends when so many frames in a row were no faster than the fastest: before, bodies have
+/// just moved, a driver compiles what it has not run yet, the clocks of a GPU that idled go up.
+constexpr int kSteadyFrames = 4;
+constexpr double kFaster = 0.97;
+constexpr int kLongestTrial = 60;
+/// A trial this much slower than the best one is given up.
+constexpr double kHopeless = 2;
+constexpr int kFramesBeforeGivingUp = 3;
 /// From a share to its neighbours.
 constexpr double kNeighbour = 0.15;
 /// The load has changed when this much of it was added or fell asleep.
@@ -34,7 +38,7 @@ bool LoadBalancer::frame(const std::vector<bool>& awake) {
     if (ratio > 2 || ratio < 0.5) {
         load_ = load;
         fromScratch_ = true;
-        begin({1, 0});
+        begin({0, 1});
     } else if (!trying_ && (std::abs(ratio - 1) > kLoadChange || frames_ >= kSettledFrames)) {
         load_ = load;
         fromScratch_ = false;
@@ -53,7 +57,7 @@ void LoadBalancer::begin(std::vector<double> shares) {
 
 void LoadBalancer::nextTrial() {
     trying_ = !untried_.empty();
-    frames_ = 0;
+    frames_ = lastGain_ = 0;
     fastest_ = std::numeric_limits<double>::infinity();
     if (trying_) {
         share_ = untried_.back();
@@ -70,8 +74,11 @@ const LoadBalancer::Trial& LoadBalancer::best() const {
 
 void LoadBalancer::measured(double time) {
     if (!trying_) return;
-    if (frames_ > kWarmUpFrames) fastest_ = std::min(fastest_, time);
-    if (frames_ < kWarmUpFrames + kMeasuredFrames) return;
+    if (time < kFaster * fastest_) lastGain_ = frames_;
+    fastest_ = std::min(fastest_, time);
+    const bool hopeless =
+        frames_ >= kFramesBeforeGivingUp && !tried_.empty() && fastest_ > kHopeless * best().time;
+    if (frames_ - lastGain_ < kSteadyFrames && frames_ < kLongestTrial && !hopeless) return;
     tried_.push_back({share_, fastest_});
     if (untried_.empty()) addTrials();
     nextTrial();
@@ -80,7 +87,7 @@ void LoadBalancer::measured(double time) {
 void LoadBalancer::addTrials() {
     if (fromScratch_ && tried_.size() == 2) {
         // Both sides done together: share·gpu = (1 − share)·cpu.
-        const double cpu = tried_[0].time, gpu = tried_[1].time;
+        const double gpu = tried_[0].time, cpu = tried_[1].time;
         untried_ = {cpu / (cpu + gpu)};
         return;
     }

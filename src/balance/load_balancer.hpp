@@ -46,6 +46,7 @@ class LoadBalancer {
     std::vector<double> untried_;  ///< shares, last one first
     std::vector<Trial> tried_;
     int frames_ = 0;      ///< of this trial, or since the last one
+    int lastGain_ = 0;    ///< frame of this trial that was faster than those before
     double fastest_ = 0;  ///< frame of this trial
     bool trying_ = false;
     bool fromScratch_ = false;  ///< the trials began with nothing and everything on the GPU
