@@ -18,6 +18,8 @@ constexpr MaterialField kFields[] = {
     {"damage_length", "m", 1e-6, 100, false, false, &M::damageLength, nullptr},
     {"shear_weight", "1", 0, 10, false, false, &M::shearWeight, nullptr},
     {"internal_friction", "1", 0, 10, false, false, &M::internalFriction, nullptr},
+    {"friction", "1", 0, 10, false, false, &M::friction, nullptr},
+    {"restitution", "1", 0, 1, false, false, &M::restitution, nullptr},
     {"spread", "1", 0, 1, false, false, &M::spread, nullptr},
     {"noise_length", "m", 0, 100, false, false, &M::noiseLength, nullptr},
     {"noise_amplitude", "1", 0, 0.95, false, false, &M::noiseAmplitude, nullptr},

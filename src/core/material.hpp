@@ -81,6 +81,14 @@ struct Material {
     /// along that axis. Keep it at least three cells wide. Planks use x.
     Vec3 clusterSize{0.4, 0.4, 0};
 
+    // --- Contact (core/contact.hpp) ---
+    /// Coulomb friction μ of piece on piece, 1, 0 to 10; two materials take the mean. Higher: heaps
+    /// stand steeper.
+    double friction = 0.6;
+    /// Restitution e, 1, 0 to 1: share of the speed that two cells keep after a hit, from 0.13 up.
+    /// Higher: pieces bounce.
+    double restitution = 0.2;
+
     // --- Display mesh (thesis, chapter 8) ---
     double avgDisplaySectionWidth =
         0.3;  ///< m, 0.001 to 100; section width before the random factor

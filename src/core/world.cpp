@@ -1,9 +1,11 @@
 #include "core/world.hpp"
+#include "core/contact.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "core/contact.hpp"
 #include "core/elasticity.hpp"
 #include "core/strength_map.hpp"
 
@@ -106,6 +108,7 @@ int World::lawFor(int materialIndex, const Vec3& cellSize) {
     law.stressScale = std::sqrt(m.youngModulus / E);
     law.damageTime = m.damageLength / std::sqrt(E / m.density);
     law.maxStress = m.fracture == FractureMode::Cell ? m.maxStress : kInfinity;
+    law.contactDamping = contactDamping(m.restitution);
     laws_.push_back(law);
     return static_cast<int>(laws_.size()) - 1;
 }

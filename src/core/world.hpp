@@ -71,6 +71,7 @@ struct WorldDescription {
     Vec3 gravity{0, -9.81, 0};    ///< m/s²
     bool ground = true;           ///< a floor at y = 0
     double groundFriction = 0.6;  ///< Coulomb coefficient, 1, 0 to 10
+    bool contact = false;         ///< whether cells push each other (core/contact.hpp)
     double step = 1.0 / 3000;     ///< s, one substep
     int fractureInterval = 4;     ///< substeps from one fracture update to the next, 1 to 100
     std::uint64_t seed = 1;       ///< of the strength map
@@ -108,6 +109,7 @@ struct ElementLaw {
     double stressScale = 1;     ///< S = √(E/E_eff): what an impact's stress lost to the limit
     double damageTime = 1;      ///< s, τ = ℓ_d/√(E_eff/ρ)
     double maxStress = 0;       ///< Pa; infinite unless fracture = cell
+    double contactDamping = 0;  ///< α of core/contact.hpp, from the material's restitution
 };
 
 struct Event {
@@ -175,6 +177,8 @@ class World {
     double nodeMass(int node) const {
         return nodeMass_[node];
     }  ///< kg, of this copy alone; 0 where the cell is absent
+    /// kg, of a present cell.
+    double cellMass(int cell) const { return kCorners * nodeMass_[kCorners * cell]; }
     bool anchored(int node) const { return anchored_[node] != 0; }
     /// Pa; infinite where nothing but whole-cell fracture can break the bond.
     float bondStrength(int bond) const { return bondStrength_[bond]; }

@@ -28,6 +28,11 @@ void readGround(const TableReader& root, WorldDescription& world) {
     }
 }
 
+void readContact(const TableReader& root, WorldDescription& world) {
+    if (const auto contact = root.table("contact", {"enabled"}))
+        contact->read("enabled", world.contact);
+}
+
 void readCamera(const TableReader& root, CameraDescription& camera) {
     const auto table = root.table("camera", {"position", "target", "field_of_view"});
     if (!table) return;
@@ -46,8 +51,8 @@ Scene parseScene(std::string_view text, const std::string& file,
                  const std::filesystem::path& folder) {
     const toml::table document = parseToml(text, file);
     const TableReader root(document, file, "the scene",
-                           {"title", "frames", "gravity", "seed", "solver", "ground", "camera",
-                            "material", "body", "event"});
+                           {"title", "frames", "gravity", "seed", "solver", "ground", "contact",
+                            "camera", "material", "body", "event"});
     Scene scene;
     scene.name = std::filesystem::path(file).stem().string();
     scene.title = scene.name;
@@ -60,6 +65,7 @@ Scene parseScene(std::string_view text, const std::string& file,
     world.seed = static_cast<std::uint64_t>(seed);
     readSolver(root, scene);
     readGround(root, world);
+    readContact(root, world);
     readCamera(root, scene.camera);
 
     MaterialLibrary library(folder);

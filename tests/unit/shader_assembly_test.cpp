@@ -193,7 +193,7 @@ TEST_CASE("A driver's log names files") {
 TEST_CASE("The shaders under glsl/ are compiled in") {
     const std::optional<std::string> layout = embeddedShaders()("shared/layout.h");
     REQUIRE(layout);
-    CHECK(layout->find("#define SUNDER_LAW_BITS") != std::string::npos);
+    CHECK(layout->find("#define SUNDER_CELL_LAW") != std::string::npos);
     // Not only ASCII survives.
     CHECK(layout->find("λ") != std::string::npos);
     CHECK_FALSE(embeddedShaders()("shared/gone.h"));

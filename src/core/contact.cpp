@@ -1,0 +1,79 @@
+#include "core/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunder {
+namespace {
+
+constexpr int kMostSpheres = 8;
+
+/// Restitution of two spheres with that α, mean over where in a step they first touch; h, M and the
+/// speed of approach are 1.
+double restitutionOf(double damping) {
+    constexpr int phases = 16;
+    double sum = 0;
+    for (int phase = 0; phase < phases; ++phase) {
+        double x = -(phase + 0.5) / phases, v = -1;
+        while (x < 0 || v < 0) {
+            if (x < 0) v += std::max(0.0, -kContactStiffness * x - damping * v);
+            x += v;
+        }
+        sum += v;
+    }
+    return sum / phases;
+}
+
+}  // namespace
+
+double contactDamping(double restitution) {
+    double low = 0, high = kInelasticDamping;
+    if (restitutionOf(high) >= restitution) return high;
+    for (int i = 0; i < 40; ++i) {
+        const double middle = 0.5 * (low + high);
+        (restitutionOf(middle) > restitution ? low : high) = middle;
+    }
+    return low;
+}
+
+Vec3 ContactProxy::place(int sphere) const {
+    const IVec3 at{sphere % count[0], sphere / count[0] % count[1], sphere / (count[0] * count[1])};
+    return (at.cast<double>() + Vec3::Constant(0.5)).cwiseQuotient(count.cast<double>());
+}
+
+std::array<double, kCorners> ContactProxy::weights(int sphere) const {
+    const Vec3 p = place(sphere);
+    std::array<double, kCorners> result{};
+    for (int corner = 0; corner < kCorners; ++corner) {
+        double weight = 1;
+        for (int axis = 0; axis < 3; ++axis) weight *= corner >> axis & 1 ? p[axis] : 1 - p[axis];
+        result[static_cast<std::size_t>(corner)] = weight;
+    }
+    return result;
+}
+
+double ContactProxy::reach(const Vec3& cellSize) const {
+    return (place(0) - Vec3::Constant(0.5)).cwiseProduct(cellSize).norm() + radius;
+}
+
+ContactProxy contactProxy(const Vec3& cellSize) {
+    const double shortest = cellSize.minCoeff();
+    ContactProxy proxy;
+    proxy.radius = shortest / 2;
+    for (int axis = 0; axis < 3; ++axis)
+        proxy.count[axis] =
+            std::clamp(static_cast<int>(std::lround(std::min(cellSize[axis] / shortest, 8.0))), 1,
+                       kMostSpheres);
+    while (proxy.spheres() > kMostSpheres) {
+        int longest = 0;
+        proxy.count.maxCoeff(&longest);
+        --proxy.count[longest];
+    }
+    return proxy;
+}
+
+double contactMargin(double radiusA, double radiusB, double speed, double step) {
+    return std::max(0.5 * (radiusA + radiusB), 1.1 * kContactInterval * step * speed);
+}
+
+}  // namespace sunder

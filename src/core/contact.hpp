@@ -1,0 +1,66 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "core/world.hpp"
+
+namespace sunder {
+
+/// Contact between cells: the model that every solver implements.
+///
+/// A cell is a few equal spheres (ContactProxy) that ride on its nodes: a sphere's centre and
+/// velocity are the trilinear mean of the eight corners' at its place, and a force on it goes to
+/// the corners by the same weights. Two cells touch where spheres overlap, by δ = r_A + r_B − |x_A
+/// − x_B| with the normal n from B to A and v the velocity of A relative to B:
+///
+///   M = M_A·M_B/(M_A + M_B), masses of the whole cells;  N = max(N_A, N_B)
+///   normal force    f = max(0, κ·M/h²·δ − α·M/h·(v·n)) / N
+///   friction        opposite to the tangential part v_t of v: min(μ·f, β·M/h·|v_t| / N)
+///
+/// with κ = kContactStiffness, α from the restitution asked for (contactDamping), β =
+/// kFrictionRate, μ the mean of the two materials' friction and α the mean of their dampings.
+/// Stiffness and damping in units of M and h obey the stability limit whatever the material: h²·k/M
+/// + 2·h·c/M < 4. N, the number of sphere pairs of a cell that were closer than kCrowdGap radii at
+/// the last search (at least 1), keeps that true in a crowd.
+///
+/// Neighbours on the body's lattice (all three coordinates differ by at most one) that once hung
+/// together push each other only inelastically, so that a fresh crack does not explode, however
+/// squeezed its sides were:
+///
+///   f = max(0, α₀·M/h·(min(κ·δ/(α₀·h), kPushOut·ℓ) − v·n)) / N,  ℓ the shortest cell edge
+///
+/// Cells that still share a joined node never push each other. Which pairs may touch is searched
+/// for every kContactInterval steps, before the step: pairs of spheres whose gap is less than
+/// contactMargin().
+inline constexpr double kContactStiffness = 0.12;
+inline constexpr double kFrictionRate = 0.3;
+inline constexpr double kInelasticDamping = 0.6;  ///< α₀
+inline constexpr double kPushOut = 0.5;           ///< cell edges/s
+inline constexpr double kCrowdGap = 0.1;          ///< radii, the smaller one's
+inline constexpr int kContactInterval = 4;        ///< steps
+
+/// α for a restitution e of 0 to 1: the one at which two spheres that meet head on part with e
+/// times the speed, worked out with the very steps the solvers take. Restitutions below about 0.13
+/// get kInelasticDamping.
+double contactDamping(double restitution);
+
+/// A cell's spheres: count[a] along axis a, evenly spaced, product at most 8; radius half the
+/// shortest edge. One for a cube; three for a cell three times as long as thick.
+struct ContactProxy {
+    IVec3 count{1, 1, 1};
+    double radius = 0;  ///< m
+    int spheres() const { return count.prod(); }
+    /// Place of a sphere in the cell, each coordinate 0 to 1; x runs fastest.
+    Vec3 place(int sphere) const;
+    /// Trilinear weights of the cell's corners at that place.
+    std::array<double, kCorners> weights(int sphere) const;
+    /// m: from the centre of an undeformed cell to the farthest point of its spheres.
+    double reach(const Vec3& cellSize) const;
+};
+ContactProxy contactProxy(const Vec3& cellSize);
+
+/// m: gap below which a pair is kept until the next search: half the sum of the radii, or how far
+/// the pair closes in by then at the relative speed `speed` (m/s), a tenth on top.
+double contactMargin(double radiusA, double radiusB, double speed, double step);
+
+}  // namespace sunder
