@@ -108,6 +108,7 @@ struct ElementLaw {
     double stressScale = 1;     ///< S = √(E/E_eff): what an impact's stress lost to the limit
     double damageTime = 1;      ///< s, τ = ℓ_d/√(E_eff/ρ)
     double maxStress = 0;       ///< Pa; infinite unless fracture = cell
+    double hotViscosity = 0;    ///< Pa·s, of strongly deformed elements (core/elasticity.hpp)
 };
 
 struct Event {
