@@ -25,8 +25,11 @@ ElementStress elementStress(ElementLaw law, mat3 F, mat3 rate, float h) {
         float dilation = strain[0][0] + strain[1][1] + strain[2][2];
         P = G * (2.0 * mu * strain + mat3(lambda * dilation));
     }
-    // Keeps the stability limit E·(1+2b) where b is larger.
-    if (hot) P *= (1.0 + 2.0 * kDamping) / (1.0 + 2.0 * kHotDamping);
+    float viscosity = law.colour.w;
+    if (hot && viscosity > 0.0)
+        P += viscosity * rate;
+    else if (hot)  // keeps the stability limit E·(1+2b) where b is larger
+        P *= (1.0 + 2.0 * kDamping) / (1.0 + 2.0 * kHotDamping);
     return ElementStress(P, R);
 }
 

@@ -22,7 +22,7 @@ struct ElementLaw {
     vec4 cellSize;   // xyz: m; w: volume of a cell, m³
     vec4 elasticity; // λ, μ (Pa); law; S = √(E/E_eff)
     vec4 fracture;   // maxStress (Pa); 1/τ (1/s); shear weight β; internal friction μ
-    vec4 colour;     // linear RGB; w unused
+    vec4 colour;     // linear RGB; w: viscosity of strongly deformed elements, Pa·s
 };
 
 // One body: four texels of the texture buffer `bodies` (RGBA32F; integers are exact below 2^24).

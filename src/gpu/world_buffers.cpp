@@ -90,7 +90,7 @@ gl::Buffer makeLaws(const World& world) {
         laws[i].fracture = toVec4({std::min(law.maxStress, double{SUNDER_UNBREAKABLE}),
                                    1 / law.damageTime, material.shearWeight},
                                   material.internalFriction);
-        laws[i].colour = toVec4(material.colour, 0);
+        laws[i].colour = toVec4(material.colour, law.hotViscosity);
     }
     return gl::makeBuffer<ElementLaw>(laws, GL_STATIC_DRAW, "materials");
 }
