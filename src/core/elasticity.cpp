@@ -34,6 +34,10 @@ double hotViscosity(double mu, double reserve, double h) {
     return 2 * mu * h * std::max(0.0, std::min(wanted, room));
 }
 
+double hotDeterminant(double viscosity) {
+    return viscosity > 0 ? 0.5 : 0.3;
+}
+
 Mat3 polarRotation(const Mat3& G) {
     // Far from singular, Higham's iteration R ← ½(R + R⁻ᵀ) doubles the digits each time (Higham
     // 1986).
@@ -57,7 +61,7 @@ Mat3 polarRotation(const Mat3& G) {
 
 ElementStress elementStress(const ElementLaw& law, ConstitutiveLaw kind, const Mat3& F,
                             const Mat3& rate, double h) {
-    const bool hot = F.determinant() < 0.3 || F.squaredNorm() > 6;
+    const bool hot = F.determinant() < hotDeterminant(law.hotViscosity) || F.squaredNorm() > 6;
     const Mat3 G = F + (hot ? kHotDamping : kDamping) * h * rate;
     const Mat3 R = polarRotation(G);
     Mat3 P;

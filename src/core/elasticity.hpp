@@ -26,6 +26,8 @@ inline constexpr double kHotDamping = 0.5;
 /// takes through a cell. The stability limit asks for 1 + 2·kHotDamping + 2v ≤ reserve·(1 +
 /// 2·kDamping). 0 where that leaves nothing: there the stress is scaled down to the limit instead.
 double hotViscosity(double mu, double reserve, double h);
+/// det F below which an element is strongly deformed: earlier where it has a viscosity to calm it.
+double hotDeterminant(double viscosity);
 
 struct ElementStress {
     Mat3 piola;     ///< first Piola–Kirchhoff stress P, Pa

@@ -34,6 +34,7 @@ std::vector<Law> makeLaws(const World& world) {
         law.hotStress = from.hotViscosity > 0
                             ? 1.f
                             : static_cast<float>((1 + 2 * kDamping) / (1 + 2 * kHotDamping));
+        law.hotDeterminant = static_cast<float>(hotDeterminant(from.hotViscosity));
         law.hotRate = static_cast<float>(from.hotViscosity / (kDamping * world.step()));
         result.push_back(law);
     }

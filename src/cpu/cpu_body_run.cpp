@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-
 namespace sunder::cpu {
 
 BodyRun::BodyRun(const World& world, int index, const std::vector<Law>& laws)

@@ -78,8 +78,8 @@ struct Hot {
 };
 
 /// G = F + b·h·Ḟ, from F and b·h·Ḟ.
-HWY_INLINE Mat3v damped(const Mat3v& F, Mat3v rate, Hot& hot) {
-    hot.lanes = hn::Or(hn::Lt(determinant(F), set(0.3f)), hn::Gt(squaredNorm(F), set(6.f)));
+HWY_INLINE Mat3v damped(const Mat3v& F, Mat3v rate, V hotDeterminant, Hot& hot) {
+    hot.lanes = hn::Or(hn::Lt(determinant(F), hotDeterminant), hn::Gt(squaredNorm(F), set(6.f)));
     if (HWY_UNLIKELY(any(hot.lanes))) {
         hot.rate = rate;
         const V factor = hn::IfThenElse(hot.lanes, set(kHotRate), set(1.f));
@@ -89,7 +89,7 @@ HWY_INLINE Mat3v damped(const Mat3v& F, Mat3v rate, Hot& hot) {
 }
 
 struct Elastic {
-    V lambda, twoMu, corotated;
+    V lambda, twoMu, corotated, hotDeterminant;
 };
 
 HWY_INLINE Mat3v scaleColumns(const Mat3v& m, const Vec3v& s) {
@@ -214,7 +214,8 @@ HWY_INLINE Vec3v cornerTetrahedron(Cells& cells, StressOutput* out) {
     Mat3v F = gradient<kT>(u, cells.u, cells.scale);
     addIdentity(F);
     Hot hot;
-    const Mat3v G = damped(F, gradient<kT>(v, cells.v, cells.scale * set(body.dampingTime)), hot);
+    const Mat3v G = damped(F, gradient<kT>(v, cells.v, cells.scale * set(body.dampingTime)),
+                           cells.law.hotDeterminant, hot);
     const Mat3v P = tetrahedron<kKind, kStress, kT>(cells, F, G, hot, out);
     // −V·P·∇N: the columns of P, weighted, pull at the ends of the edges that F's columns are made
     // of, with the opposite sign.
@@ -249,8 +250,8 @@ HWY_INLINE void centralTetrahedron(Cells& cells, StressOutput* out) {
     Mat3v F = centralGradient(cells.u, cells.scale);
     addIdentity(F);
     Hot hot;
-    const Mat3v G =
-        damped(F, centralGradient(cells.v, cells.scale * set(cells.body.dampingTime)), hot);
+    const Mat3v G = damped(F, centralGradient(cells.v, cells.scale * set(cells.body.dampingTime)),
+                           cells.law.hotDeterminant, hot);
     cells.frame = gramSchmidt(G);
     const Mat3v P = tetrahedron<kKind, kStress, 4>(cells, F, G, hot, out);
     cells.force = {(P.x + P.y) + P.z, P.z - (P.x + P.y), P.y - (P.x + P.z), P.x - (P.y + P.z)};
@@ -279,7 +280,8 @@ HWY_INLINE void updateCells(const BodyArrays& body, int first) {
         mirrored,
         {side * set(body.inverseCell[0]), set(body.inverseCell[1]), set(body.inverseCell[2])},
         {side * set(body.forceWeight[0]), set(body.forceWeight[1]), set(body.forceWeight[2])},
-        {lookup(&Law::lambda), lookup(&Law::twoMu), lookup(&Law::corotated)},
+        {lookup(&Law::lambda), lookup(&Law::twoMu), lookup(&Law::corotated),
+         lookup(&Law::hotDeterminant)},
         loadBases(body.displacement + tiled(kNodeComponents, 0, first), mirrored),
         loadBases(body.velocity + tiled(kNodeComponents, 0, first), mirrored),
         {},

@@ -148,7 +148,7 @@ TEST_CASE("whatever the start, a wall never explodes") {
     map << "90 tetrahedra, 6 s in frames of 1/120, 1/60, 1/30, 1/15 s for each Poisson's ratio\n"
            "ok: nothing inverted at the end; a number: tetrahedra inverted; ~: stiffness limited\n"
            "                         E   nu = 0               nu = 0.3             nu = 0.45\n";
-    int corotated = 0, stillUnfolding = 0;
+    int corotated = 0;
     const std::size_t perRow = std::size(poissonRatios) * std::size(framesPerSecond);
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const Case& c = cases[i];
@@ -171,15 +171,8 @@ TEST_CASE("whatever the start, a wall never explodes") {
         ++corotated;
         CHECK(o.energyAfter <= o.energyBefore);
         CHECK(o.highestEnergy <= o.energyBefore);
-        if (c.youngModulus == 1e3 && c.poissonRatio == 0.45)
-            stillUnfolding += o.inverted > 0;
-        else
-            CHECK(o.inverted == 0);
+        CHECK(o.inverted == 0);
     }
     std::cout << map.str() << "\n\n";
     CHECK(corotated >= 200);
-    // At E = 1e3 Pa, nu = 0.45 6 s are 65 periods of a cell; elements that are no longer strongly
-    // deformed hardly damp, and what is left of the vibration turns one over now and then: one of
-    // 90 in 3 of these 20 cases.
-    CHECK(stillUnfolding <= 3);
 }
