@@ -16,7 +16,10 @@ double restitutionOf(double damping) {
     for (int phase = 0; phase < phases; ++phase) {
         double x = -(phase + 0.5) / phases, v = -1;
         while (x < 0 || v < 0) {
-            if (x < 0) v += std::max(0.0, -kContactStiffness * x - damping * v);
+            if (x < 0) {
+                const double touching = std::min(1.0, -x / std::max(std::abs(v), 1e-9));
+                v += std::max(0.0, -kContactStiffness * x - damping * touching * v);
+            }
             x += v;
         }
         sum += v;

@@ -10,7 +10,7 @@ std::vector<SolverUnderTest> solversUnderTest() {
          [](const World& world) -> std::unique_ptr<Solver> {
              return std::make_unique<ReferenceSolver>(world);
          },
-         1.2e-16},
+         1.2e-16, false, true},
         {"cpu",
          [](const World& world) -> std::unique_ptr<Solver> {
              return std::make_unique<CpuSolver>(world);
