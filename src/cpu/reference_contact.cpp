@@ -99,10 +99,8 @@ Vec3 ReferenceContact::pairForce(const Pair& pair, const State& state) const {
     const double approach = v.dot(normal);
     double push = 0;
     if (pair.neighbours) {
-        const double edge = world_.bodies()[world_.bodyOf(a.cell)].cellSize.minCoeff();
-        const double out =
-            std::min(kContactStiffness * overlap / (kInelasticDamping * h), kPushOut * edge);
-        push = kInelasticDamping * rate * (out - approach);
+        const double time = std::max(kPartingTime, kInelasticDamping * h / kContactStiffness);
+        push = kInelasticDamping * rate * (overlap / time - approach);
     } else {
         const double damping = 0.5 * (dampingOf(a.cell) + dampingOf(b.cell));
         push = rate * (kContactStiffness * overlap / h - damping * approach);
