@@ -103,7 +103,9 @@ Vec3 ReferenceContact::pairForce(const Pair& pair, const State& state) const {
         push = kInelasticDamping * rate * (overlap / time - approach);
     } else {
         const double damping = 0.5 * (dampingOf(a.cell) + dampingOf(b.cell));
-        push = rate * (kContactStiffness * overlap / h - damping * approach);
+        // w·(v·n): the share of the step in touch, for it is δ/h that they came closer in touch.
+        push = rate * (kContactStiffness * overlap / h -
+                       damping * std::clamp(approach, -overlap / h, overlap / h));
     }
     push = std::max(0.0, push);
     const Vec3 slip = v - approach * normal;

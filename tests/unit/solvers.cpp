@@ -15,6 +15,6 @@ std::vector<SolverUnderTest> solversUnderTest() {
          [](const World& world) -> std::unique_ptr<Solver> {
              return std::make_unique<CpuSolver>(world);
          },
-         6e-8, true},
+         6e-8, true, true},
     };
 }
