@@ -11,7 +11,8 @@ struct ElementStress {
 };
 
 ElementStress elementStress(ElementLaw law, mat3 F, mat3 rate, float h) {
-    bool hot = determinant(F) < 0.3 || dot(F[0], F[0]) + dot(F[1], F[1]) + dot(F[2], F[2]) > 6.0;
+    float viscosity = law.colour.w;
+    bool hot = determinant(F) < (viscosity > 0.0 ? 0.5 : 0.3) || dot(F[0], F[0]) + dot(F[1], F[1]) + dot(F[2], F[2]) > 6.0;
     mat3 G = F + (hot ? kHotDamping : kDamping) * h * rate;
     mat3 R = polarRotation(G);
     float lambda = law.elasticity.x, mu = law.elasticity.y;
@@ -25,8 +26,10 @@ ElementStress elementStress(ElementLaw law, mat3 F, mat3 rate, float h) {
         float dilation = strain[0][0] + strain[1][1] + strain[2][2];
         P = G * (2.0 * mu * strain + mat3(lambda * dilation));
     }
-    // Keeps the stability limit E·(1+2b) where b is larger.
-    if (hot) P *= (1.0 + 2.0 * kDamping) / (1.0 + 2.0 * kHotDamping);
+    if (hot && viscosity > 0.0)
+        P += viscosity * rate;
+    else if (hot)  // keeps the stability limit E·(1+2b) where b is larger
+        P *= (1.0 + 2.0 * kDamping) / (1.0 + 2.0 * kHotDamping);
     return ElementStress(P, R);
 }
 

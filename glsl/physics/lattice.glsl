@@ -20,6 +20,11 @@ BodyRecord bodyRecord(int body) {
                       texelFetch(bodies, first + 3));
 }
 
+ivec3 cellCoordinates(int cell, ivec4 lattice) {
+    int local = cell - lattice.w;
+    return ivec3(local % lattice.x, local / lattice.x % lattice.y, local / (lattice.x * lattice.y));
+}
+
 // Steps in the cell numbering for one cell along x, y, z.
 ivec3 cellStrides(ivec4 lattice) { return ivec3(1, lattice.x, lattice.x * lattice.y); }
 

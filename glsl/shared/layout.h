@@ -2,7 +2,8 @@
 // namespace sunder::gpu (src/gpu/layout.hpp), where vec4 and uvec4 are glm's.
 
 #define SUNDER_MAX_ELEMENT_LAWS 256
-// Cell record, four unsigned integers: the bits below; body; mass of a corner (kg, bits of a float); unused.
+// Cell record, four unsigned integers: the bits below; body; mass of a corner (kg) and
+// contact damping, as bits of floats.
 #define SUNDER_CELL_LAW 511u      // row of the table of laws, or SUNDER_ABSENT
 #define SUNDER_ABSENT 511u        // no cell here
 #define SUNDER_CELL_ODD 512u      // i + j + k is odd: the mirrored split into tetrahedra
@@ -21,7 +22,7 @@ struct ElementLaw {
     vec4 cellSize;   // xyz: m; w: volume of a cell, m³
     vec4 elasticity; // λ, μ (Pa); law; S = √(E/E_eff)
     vec4 fracture;   // maxStress (Pa); 1/τ (1/s); shear weight β; internal friction μ
-    vec4 colour;     // linear RGB; w unused
+    vec4 colour;     // linear RGB; w: viscosity of strongly deformed elements, Pa·s
 };
 
 // One body: four texels of the texture buffer `bodies` (RGBA32F; integers are exact below 2^24).
@@ -29,7 +30,7 @@ struct BodyRecord {
     vec4 lattice;  // cells along x, y, z; first cell
     vec4 cellSize; // xyz: m; w: speed limit, m/s
     vec4 gravity;  // xyz: m/s²; w: exp(−drag·h)
-    vec4 events;   // first event, number of events; zw unused
+    vec4 events;   // first event, number of events; spheres of a cell along x + 16 y + 256 z, their radius (m)
 };
 #define SUNDER_BODY_TEXELS 4
 

@@ -28,6 +28,16 @@ double stableYoungModulus(double density, double edge, double nu, double h) {
     return density * waveSpeed * waveSpeed / (1 + 2 * kDamping);
 }
 
+double hotViscosity(double mu, double reserve, double h) {
+    const double wanted = 1.5 * std::sqrt(reserve) - kHotDamping;
+    const double room = 0.5 * (reserve * (1 + 2 * kDamping) - (1 + 2 * kHotDamping));
+    return 2 * mu * h * std::max(0.0, std::min(wanted, room));
+}
+
+double hotDeterminant(double viscosity) {
+    return viscosity > 0 ? 0.5 : 0.3;
+}
+
 Mat3 polarRotation(const Mat3& G) {
     // Far from singular, Higham's iteration R ← ½(R + R⁻ᵀ) doubles the digits each time (Higham
     // 1986).
@@ -51,7 +61,7 @@ Mat3 polarRotation(const Mat3& G) {
 
 ElementStress elementStress(const ElementLaw& law, ConstitutiveLaw kind, const Mat3& F,
                             const Mat3& rate, double h) {
-    const bool hot = F.determinant() < 0.3 || F.squaredNorm() > 6;
+    const bool hot = F.determinant() < hotDeterminant(law.hotViscosity) || F.squaredNorm() > 6;
     const Mat3 G = F + (hot ? kHotDamping : kDamping) * h * rate;
     const Mat3 R = polarRotation(G);
     Mat3 P;
@@ -61,8 +71,10 @@ ElementStress elementStress(const ElementLaw& law, ConstitutiveLaw kind, const M
         const Mat3 strain = 0.5 * (G.transpose() * G - Mat3::Identity());
         P = G * (2 * law.mu * strain + law.lambda * strain.trace() * Mat3::Identity());
     }
-    // Keeps the stability limit E·(1+2b) where b is larger.
-    if (hot) P *= (1 + 2 * kDamping) / (1 + 2 * kHotDamping);
+    if (hot && law.hotViscosity > 0)
+        P += law.hotViscosity * rate;
+    else if (hot)  // keeps the stability limit E·(1+2b) where b is larger
+        P *= (1 + 2 * kDamping) / (1 + 2 * kHotDamping);
     return {P, R};
 }
 

@@ -20,6 +20,15 @@ Mat3 polarRotation(const Mat3& G);
 inline constexpr double kDamping = 0.1;
 inline constexpr double kHotDamping = 0.5;
 
+/// Viscosity η, Pa·s, of strongly deformed elements: adds η·Ḟ to their stress. `reserve`: stable
+/// Young's modulus over the element's, at least 1. Where it is large, a damping of b·h seconds is
+/// next to nothing; η = 2μ·h·v with v in proportion to √reserve decays in about the time a wave
+/// takes through a cell. The stability limit asks for 1 + 2·kHotDamping + 2v ≤ reserve·(1 +
+/// 2·kDamping). 0 where that leaves nothing: there the stress is scaled down to the limit instead.
+double hotViscosity(double mu, double reserve, double h);
+/// det F below which an element is strongly deformed: earlier where it has a viscosity to calm it.
+double hotDeterminant(double viscosity);
+
 struct ElementStress {
     Mat3 piola;     ///< first Piola–Kirchhoff stress P, Pa
     Mat3 rotation;  ///< R of G

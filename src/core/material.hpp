@@ -85,7 +85,7 @@ struct Material {
     /// Coulomb friction μ of piece on piece, 1, 0 to 10; two materials take the mean. Higher: heaps
     /// stand steeper.
     double friction = 0.6;
-    /// Restitution e, 1, 0 to 1: share of the speed that two cells keep after a hit, from 0.13 up.
+    /// Restitution e, 1, 0 to 1: share of the speed that two cells keep after a hit, from 0.19 up.
     /// Higher: pieces bounce.
     double restitution = 0.2;
 

@@ -106,6 +106,7 @@ int World::lawFor(int materialIndex, const Vec3& cellSize) {
     law.lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
     law.mu = E / (2 * (1 + nu));
     law.stressScale = std::sqrt(m.youngModulus / E);
+    law.hotViscosity = hotViscosity(law.mu, stable / E, description_.step);
     law.damageTime = m.damageLength / std::sqrt(E / m.density);
     law.maxStress = m.fracture == FractureMode::Cell ? m.maxStress : kInfinity;
     law.contactDamping = contactDamping(m.restitution);

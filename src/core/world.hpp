@@ -110,6 +110,7 @@ struct ElementLaw {
     double damageTime = 1;      ///< s, τ = ℓ_d/√(E_eff/ρ)
     double maxStress = 0;       ///< Pa; infinite unless fracture = cell
     double contactDamping = 0;  ///< α of core/contact.hpp, from the material's restitution
+    double hotViscosity = 0;    ///< Pa·s, of strongly deformed elements (core/elasticity.hpp)
 };
 
 struct Event {

@@ -31,6 +31,11 @@ std::vector<Law> makeLaws(const World& world) {
         law.shearWeight = static_cast<float>(m.shearWeight);
         law.friction = static_cast<float>(m.internalFriction);
         law.maxStress = static_cast<float>(std::min<double>(from.maxStress, kUnbreakable));
+        law.hotStress = from.hotViscosity > 0
+                            ? 1.f
+                            : static_cast<float>((1 + 2 * kDamping) / (1 + 2 * kHotDamping));
+        law.hotDeterminant = static_cast<float>(hotDeterminant(from.hotViscosity));
+        law.hotRate = static_cast<float>(from.hotViscosity / (kDamping * world.step()));
         result.push_back(law);
     }
     return result;

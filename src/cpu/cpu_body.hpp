@@ -21,7 +21,10 @@ struct Law {
     float stressScale;    ///< S = √(E/E_eff)
     float damageRate;     ///< 1/τ, 1/s
     float shearWeight, friction;
-    float maxStress;  ///< Pa; kUnbreakable unless fracture = cell
+    float maxStress;       ///< Pa; kUnbreakable unless fracture = cell
+    float hotStress;       ///< what strongly deformed elements scale their stress with
+    float hotDeterminant;  ///< det F below which they are that
+    float hotRate;         ///< Pa, their viscosity over b·h
 };
 
 /// Which constants a body's cells need: all the same law, or one law per cell.

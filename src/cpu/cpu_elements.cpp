@@ -20,9 +20,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace sunder::cpu::HWY_NAMESPACE {
 
-/// b is five times as large in strongly deformed elements, and their stress smaller, which keeps
-/// the stability limit E·(1+2b).
-constexpr float kHotRate = 5.f, kHotStress = 1.2f / 2.f;
+/// b is five times as large in strongly deformed elements.
+constexpr float kHotRate = 5.f;
 
 /// Corners at one end of the x edges of the four corner tetrahedra.
 struct Corners {
@@ -72,18 +71,25 @@ HWY_INLINE void addIdentity(Mat3v& m) {
     m.z.z = one + m.z.z;
 }
 
+/// Strongly deformed tetrahedra.
+struct Hot {
+    Mask lanes;
+    Mat3v rate;  ///< b·h·Ḟ; kept only where there is one
+};
+
 /// G = F + b·h·Ḟ, from F and b·h·Ḟ.
-HWY_INLINE Mat3v damped(const Mat3v& F, Mat3v rate, Mask& hot) {
-    hot = hn::Or(hn::Lt(determinant(F), set(0.3f)), hn::Gt(squaredNorm(F), set(6.f)));
-    if (HWY_UNLIKELY(any(hot))) {
-        const V factor = hn::IfThenElse(hot, set(kHotRate), set(1.f));
+HWY_INLINE Mat3v damped(const Mat3v& F, Mat3v rate, V hotDeterminant, Hot& hot) {
+    hot.lanes = hn::Or(hn::Lt(determinant(F), hotDeterminant), hn::Gt(squaredNorm(F), set(6.f)));
+    if (HWY_UNLIKELY(any(hot.lanes))) {
+        hot.rate = rate;
+        const V factor = hn::IfThenElse(hot.lanes, set(kHotRate), set(1.f));
         rate = {rate.x * factor, rate.y * factor, rate.z * factor};
     }
     return F + rate;
 }
 
 struct Elastic {
-    V lambda, twoMu, corotated;
+    V lambda, twoMu, corotated, hotDeterminant;
 };
 
 HWY_INLINE Mat3v scaleColumns(const Mat3v& m, const Vec3v& s) {
@@ -93,8 +99,7 @@ HWY_INLINE Mat3v scaleColumns(const Mat3v& m, const Vec3v& s) {
 /// First Piola–Kirchhoff stress P of A, its columns times `weight`, and the rotation R of A where
 /// the law or `kStress` asks for it.
 template <LawKind kKind, bool kStress>
-HWY_INLINE Mat3v piola(const Mat3v& A, const Elastic& law, const Vec3v& weight, Mask hot,
-                       Mat3v& R) {
+HWY_INLINE Mat3v piola(const Mat3v& A, const Elastic& law, const Vec3v& weight, Mat3v& R) {
     Mat3v P;
     if constexpr (kKind != LawKind::Green || kStress) {
         const Polar polar = polarNearIdentity(A);
@@ -116,10 +121,6 @@ HWY_INLINE Mat3v piola(const Mat3v& A, const Elastic& law, const Vec3v& weight, 
                       {zx, yz, law.twoMu * zz + pressure}};
         const Mat3v green = scaleColumns(A * S, weight);
         P = kKind == LawKind::Green ? green : select(hn::Gt(law.corotated, half), P, green);
-    }
-    if (HWY_UNLIKELY(any(hot))) {
-        const V factor = hn::IfThenElse(hot, set(kHotStress), set(1.f));
-        P = {P.x * factor, P.y * factor, P.z * factor};
     }
     return P;
 }
@@ -177,11 +178,18 @@ struct StressOutput {
 
 /// P of tetrahedron number kT (4: the central one) in the cell's frame, its columns weighted.
 template <LawKind kKind, bool kStress, int kT>
-HWY_INLINE Mat3v tetrahedron(const Cells& cells, const Mat3v& F, const Mat3v& G, Mask hot,
+HWY_INLINE Mat3v tetrahedron(const Cells& cells, const Mat3v& F, const Mat3v& G, const Hot& hot,
                              [[maybe_unused]] StressOutput* out) {
     const Mat3v A = transposeTimes(cells.frame, G);
     Mat3v R;
-    const Mat3v P = piola<kKind, kStress>(A, cells.law, cells.weight, hot, R);
+    Mat3v P = piola<kKind, kStress>(A, cells.law, cells.weight, R);
+    if (HWY_UNLIKELY(any(hot.lanes))) {
+        const LawLookup lookup{&cells.body, cells.first};
+        const V factor = hn::IfThenElse(hot.lanes, lookup(&Law::hotStress), set(1.f));
+        const V viscosity = hn::IfThenElseZero(hot.lanes, lookup(&Law::hotRate));
+        P = Mat3v{P.x * factor, P.y * factor, P.z * factor} +
+            scaleColumns(transposeTimes(cells.frame, hot.rate), cells.weight * viscosity);
+    }
     if constexpr (kStress) {
         const BodyArrays& body = cells.body;
         const V one = set(1.f);
@@ -205,8 +213,9 @@ HWY_INLINE Vec3v cornerTetrahedron(Cells& cells, StressOutput* out) {
     const Vec3v v = loadEnd<true, kT>(body.velocity + tile, cells.mirrored);
     Mat3v F = gradient<kT>(u, cells.u, cells.scale);
     addIdentity(F);
-    Mask hot;
-    const Mat3v G = damped(F, gradient<kT>(v, cells.v, cells.scale * set(body.dampingTime)), hot);
+    Hot hot;
+    const Mat3v G = damped(F, gradient<kT>(v, cells.v, cells.scale * set(body.dampingTime)),
+                           cells.law.hotDeterminant, hot);
     const Mat3v P = tetrahedron<kKind, kStress, kT>(cells, F, G, hot, out);
     // −V·P·∇N: the columns of P, weighted, pull at the ends of the edges that F's columns are made
     // of, with the opposite sign.
@@ -240,9 +249,9 @@ template <LawKind kKind, bool kStress>
 HWY_INLINE void centralTetrahedron(Cells& cells, StressOutput* out) {
     Mat3v F = centralGradient(cells.u, cells.scale);
     addIdentity(F);
-    Mask hot;
-    const Mat3v G =
-        damped(F, centralGradient(cells.v, cells.scale * set(cells.body.dampingTime)), hot);
+    Hot hot;
+    const Mat3v G = damped(F, centralGradient(cells.v, cells.scale * set(cells.body.dampingTime)),
+                           cells.law.hotDeterminant, hot);
     cells.frame = gramSchmidt(G);
     const Mat3v P = tetrahedron<kKind, kStress, 4>(cells, F, G, hot, out);
     cells.force = {(P.x + P.y) + P.z, P.z - (P.x + P.y), P.y - (P.x + P.z), P.x - (P.y + P.z)};
@@ -271,7 +280,8 @@ HWY_INLINE void updateCells(const BodyArrays& body, int first) {
         mirrored,
         {side * set(body.inverseCell[0]), set(body.inverseCell[1]), set(body.inverseCell[2])},
         {side * set(body.forceWeight[0]), set(body.forceWeight[1]), set(body.forceWeight[2])},
-        {lookup(&Law::lambda), lookup(&Law::twoMu), lookup(&Law::corotated)},
+        {lookup(&Law::lambda), lookup(&Law::twoMu), lookup(&Law::corotated),
+         lookup(&Law::hotDeterminant)},
         loadBases(body.displacement + tiled(kNodeComponents, 0, first), mirrored),
         loadBases(body.velocity + tiled(kNodeComponents, 0, first), mirrored),
         {},

@@ -8,7 +8,8 @@ namespace {
 constexpr const char* kSamplers[kUnitCount] = {
     "cells",     "bodies",     "rest",   "nodes",    "bonds",
     "events",    "links",      "forces", "stresses", "cumulativeForces",
-    "strengths", "rectangles", "chunks", "records"};
+    "strengths", "rectangles", "chunks", "records",  "centres",
+    "grid",      "partners"};
 constexpr int kLawBinding = 0;
 
 }  // namespace

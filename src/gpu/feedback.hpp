@@ -22,6 +22,9 @@ enum Unit {
     kRectangles,
     kChunks,
     kRecords,
+    kCentres,
+    kGrid,
+    kPartners,
     kUnitCount
 };
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/contact.hpp"
 #include "core/sleep.hpp"
 
 namespace sunder::gpu {
@@ -69,6 +70,7 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
         bondProgram_ = texelProgram("gather/fracture.frag", bonds_[0], defines);
         bondWatchUniform_ = bondProgram_.uniform("newWatch");
     }
+    if (world.description().contact) contact_.emplace(world, columns_);
     setState(world.initialState());
 }
 
@@ -221,6 +223,7 @@ void GatherSolver::advance(int steps) {
             const TimedPass timed(passTimer_, "elements");
             forces_.fill(forceProgram_, awake_);
         }
+        if (contact_) addContacts();
         // Stresses are those before the nodes move; what they break shows in the links of the next
         // step.
         const bool fracture = breakable_ && step_ % world_.description().fractureInterval == 0;
@@ -230,6 +233,16 @@ void GatherSolver::advance(int steps) {
     }
     // The GPU begins at once, not when the queue is full: the CPU may have work of its own.
     glFlush();
+}
+
+void GatherSolver::addContacts() {
+    if (searchDue_ || step_ % kContactInterval == 0) {
+        const TimedPass timed(passTimer_, "contact search");
+        contact_->search(awake_, held_);
+        searchDue_ = false;
+    }
+    const TimedPass timed(passTimer_, "contacts");
+    contact_->push(forces_, awake_);
 }
 
 /// Stresses live for one pass: in the node textures that this step is about to fill.
@@ -309,14 +322,17 @@ void GatherSolver::wakePushed() {
 }
 
 void GatherSolver::bodiesChanged() {
-    std::vector<int> awake;
+    std::vector<int> awake, held;
     nextWake_ = std::numeric_limits<std::int64_t>::max();
     for (int index = 0; index < static_cast<int>(bodies_.size()); ++index) {
         if (bodies_[index] == BodyState::Awake) awake.push_back(index);
+        if (holds(index)) held.push_back(index);
         if (bodies_[index] == BodyState::Asleep)
             nextWake_ = std::min(nextWake_, nextPush(world_, index, step_));
     }
     awake_.set(rangesOf(world_, awake), columns_);
+    held_ = rangesOf(world_, held);
+    searchDue_ = true;
 }
 
 }  // namespace sunder::gpu

@@ -1,8 +1,10 @@
 #pragma once
 #include <array>
 #include <initializer_list>
+#include <optional>
 
 #include "core/body_host.hpp"
+#include "gpu/contact_pass.hpp"
 #include "gpu/event_buffer.hpp"
 #include "gpu/feedback.hpp"
 #include "gpu/rest_monitor.hpp"
@@ -67,6 +69,7 @@ class GatherSolver : public GpuSolver, public BodyHost {
     void fallAsleep(const std::vector<int>& bodies);
     void wakePushed();
     void bodiesChanged();
+    void addContacts();
     void updateBonds();
     void updateLinks();
     void updateNodes(bool events, int stepInFrame);
@@ -92,6 +95,9 @@ class GatherSolver : public GpuSolver, public BodyHost {
 
     std::vector<BodyState> bodies_;
     TexelRanges awake_;
+    std::vector<TexelRange> held_;  ///< cells of awake and sleeping bodies
+    std::optional<ContactPass> contact_;
+    bool searchDue_ = true;  ///< bodies were changed from outside since the last search
     RestMonitor monitor_;
     bool newNodeWatch_ = true, newBondWatch_ = true;  ///< no step, no update since the last look
     std::int64_t nextWake_ = 0;  ///< no event acts on a sleeping body before this step

@@ -55,10 +55,14 @@ void TexelTarget::prepare(const gl::Program& program) const {
     glUniform2i(program.uniform("targetSize"), columns_, rows_);
 }
 
-void TexelTarget::fill(const gl::Program& program, const TexelRanges& ranges, int part) const {
-    if (ranges.rectangles() == 0) return;
+void TexelTarget::bind(int part) const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffers_[static_cast<std::size_t>(part)].id());
     glViewport(0, 0, columns_, rows_);
+}
+
+void TexelTarget::fill(const gl::Program& program, const TexelRanges& ranges, int part) const {
+    if (ranges.rectangles() == 0) return;
+    bind(part);
     gl::bindTexture(kRectangles, GL_TEXTURE_BUFFER, ranges.texture());
     program.use();
     glBindVertexArray(noAttributes_.id());

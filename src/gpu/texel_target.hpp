@@ -30,6 +30,9 @@ class TexelTarget {
     /// `ranges`. Its outputs are layers 8·part, 8·part + 1, … .
     void fill(const gl::Program& program, const TexelRanges& ranges, int part = 0) const;
 
+    /// Draws go to the layers of a part, whatever program makes them.
+    void bind(int part = 0) const;
+
     /// Replaces texels from number `first` on.
     void write(int layer, int first, std::span<const vec4> texels);
     /// Waits for the GPU.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/contact.hpp"
 #include "gpu/layout.hpp"
 
 namespace sunder::gpu {
@@ -40,29 +41,39 @@ gl::Buffer makeCells(const World& world) {
         for (int corner = 0; corner < kCorners; ++corner)
             bits |= unsigned{world.anchored(kCorners * cell + corner)}
                     << (SUNDER_CELL_ANCHORS_BIT + corner);
+        const auto damping = static_cast<float>(
+            world.present(cell) ? world.laws()[world.lawOf(cell)].contactDamping : 0);
         const auto mass = static_cast<float>(world.nodeMass(kCorners * cell));
-        cells[cell] = {bits, static_cast<unsigned>(body), std::bit_cast<unsigned>(mass), 0};
+        cells[cell] = {bits, static_cast<unsigned>(body), std::bit_cast<unsigned>(mass),
+                       std::bit_cast<unsigned>(damping)};
     }
     return gl::makeBuffer<glm::uvec4>(cells, GL_STATIC_DRAW, "cells");
 }
 
 gl::Buffer makeBodies(const World& world) {
     std::vector<BodyRecord> bodies;
-    for (const Body& body : world.bodies())
+    for (const Body& body : world.bodies()) {
+        const ContactProxy proxy = contactProxy(body.cellSize);
+        const int spheres = proxy.count[0] + 16 * proxy.count[1] + 256 * proxy.count[2];
         bodies.push_back(
             {toVec4(body.cells.cast<double>(), body.firstCell),
              toVec4(body.cellSize, body.speedLimit),
              toVec4(body.gravity, std::exp(-body.drag * world.step())),
-             vec4(static_cast<float>(body.firstEvent), static_cast<float>(body.eventCount), 0, 0)});
+             vec4(static_cast<float>(body.firstEvent), static_cast<float>(body.eventCount),
+                  static_cast<float>(spheres), static_cast<float>(proxy.radius))});
+    }
     return gl::makeBuffer<BodyRecord>(bodies, GL_STATIC_DRAW, "bodies");
 }
 
 gl::Buffer makeStrengths(const World& world) {
     std::vector<vec4> strengths(world.cellCount(), vec4(0));
-    for (int cell = 0; cell < world.cellCount(); ++cell)
+    for (int cell = 0; cell < world.cellCount(); ++cell) {
+        if (world.present(cell))
+            strengths[cell].w = static_cast<float>(world.materialOf(cell).friction);
         for (int axis = 0; axis < kBondsPerCell; ++axis)
             strengths[cell][axis] = std::min(world.bondStrength(kBondsPerCell * cell + axis),
                                              static_cast<float>(SUNDER_UNBREAKABLE));
+    }
     return gl::makeBuffer<vec4>(strengths, GL_STATIC_DRAW, "bond strengths");
 }
 
@@ -79,7 +90,7 @@ gl::Buffer makeLaws(const World& world) {
         laws[i].fracture = toVec4({std::min(law.maxStress, double{SUNDER_UNBREAKABLE}),
                                    1 / law.damageTime, material.shearWeight},
                                   material.internalFriction);
-        laws[i].colour = toVec4(material.colour, 0);
+        laws[i].colour = toVec4(material.colour, law.hotViscosity);
     }
     return gl::makeBuffer<ElementLaw>(laws, GL_STATIC_DRAW, "materials");
 }

@@ -20,7 +20,8 @@ class WorldBuffers {
     const gl::Texture& cells() const { return cellTexture_; }
     /// Texture buffer, RGBA32F, SUNDER_BODY_TEXELS per body (BodyRecord).
     const gl::Texture& bodies() const { return bodyTexture_; }
-    /// Texture buffer, RGBA32F, one texel per cell: strengths of the bonds it owns (Pa).
+    /// Texture buffer, RGBA32F, one texel per cell: strengths of the bonds it owns (Pa);
+    /// friction.
     const gl::Texture& strengths() const { return strengthTexture_; }
     /// Uniform block ElementLaws.
     const gl::Buffer& laws() const { return lawBuffer_; }

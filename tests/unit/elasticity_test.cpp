@@ -72,6 +72,17 @@ TEST_CASE("the limited stiffness keeps every cell shape below the stability limi
         }
 }
 
+TEST_CASE("the viscosity of strongly deformed elements stays below the stability limit") {
+    for (const double reserve : {1.0, 1.5, 1.7, 2.0, 10.0, 1e3, 1e6}) {
+        const double viscosity = hotViscosity(1, reserve, 1) / 2;  // in units of 2μ·h
+        CHECK(viscosity >= 0);
+        CHECK((viscosity > 0) == (reserve > (1 + 2 * kHotDamping) / (1 + 2 * kDamping)));
+        if (viscosity > 0)
+            CHECK(1 + 2 * kHotDamping + 2 * viscosity <=
+                  reserve * (1 + 2 * kDamping) * (1 + 1e-12));
+    }
+}
+
 TEST_CASE("stress is the derivative of the energy") {
     Random random(2);
     const ElementLaw law = lawOf(1e6, 0.3);

@@ -1,0 +1,95 @@
+#include "gpu/contact_pass.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "core/contact.hpp"
+#include "gpu/feedback.hpp"
+
+namespace sunder::gpu {
+namespace {
+
+/// Two texels per cell or more.
+int gridTexels(const World& world) {
+    return static_cast<int>(std::bit_ceil(2 * static_cast<unsigned>(world.cellCount())));
+}
+
+/// Cells farther apart than a voxel never come within a margin of each other; a quarter on top for
+/// cells that are stretched.
+double voxelSize(const World& world) {
+    double reach = 0, radius = 0;
+    for (const Body& body : world.bodies()) {
+        const ContactProxy proxy = contactProxy(body.cellSize);
+        reach = std::max(reach, proxy.reach(body.cellSize));
+        radius = std::max(radius, proxy.radius);
+    }
+    return 2.5 * reach + radius;
+}
+
+void setGrid(const gl::Program& program, const World& world, int columns) {
+    program.use();
+    const int columnBits = std::countr_zero(static_cast<unsigned>(columns));
+    const int bits = std::countr_zero(static_cast<unsigned>(gridTexels(world)));
+    glUniform2i(program.uniform("gridBits"), columnBits, std::max(0, bits - columnBits));
+    glUniform1f(program.uniform("voxelSize"), static_cast<float>(voxelSize(world)));
+}
+
+}  // namespace
+
+ContactPass::ContactPass(const World& world, int columns)
+    : centres_(world.cellCount(), columns, 2, "cell centres"),
+      grid_(gridTexels(world), texelColumns(gridTexels(world)), 3, "contact grid"),
+      partners_(world.cellCount(), columns, 3, "contact partners"),
+      centreProgram_({.vertex = "gather/texels.vert", .fragment = "contact/centre.frag"}),
+      insertProgram_({.vertex = "contact/insert.vert", .fragment = "contact/insert.frag"}),
+      searchProgram_({.vertex = "gather/texels.vert", .fragment = "contact/search.frag"}),
+      pushProgram_({.vertex = "gather/texels.vert", .fragment = "contact/push.frag"}),
+      noAttributes_(gl::makeVertexArray()) {
+    for (const gl::Program* program :
+         {&centreProgram_, &insertProgram_, &searchProgram_, &pushProgram_})
+        setConstants(*program, world, columns);
+    centres_.prepare(centreProgram_);
+    partners_.prepare(searchProgram_);
+    partners_.prepare(pushProgram_);
+    for (const gl::Program* program : {&insertProgram_, &searchProgram_})
+        setGrid(*program, world, texelColumns(gridTexels(world)));
+    searchProgram_.use();
+    glUniform1f(searchProgram_.uniform("searchInterval"),
+                static_cast<float>(kContactInterval * world.step()));
+}
+
+void ContactPass::search(const TexelRanges& awake, std::span<const TexelRange> held) {
+    centres_.fill(centreProgram_, awake);
+    gl::bindTexture(kCentres, GL_TEXTURE_2D_ARRAY, centres_.texture());
+
+    grid_.bind();
+    constexpr GLfloat nobody[] = {3e7f, 3e7f, 3e7f, 3e7f}, zero[] = {0, 0, 0, 0};
+    glClearBufferfv(GL_COLOR, 0, zero);
+    glClearBufferfv(GL_COLOR, 1, nobody);
+    glClearBufferfv(GL_COLOR, 2, zero);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glBlendEquationi(0, GL_MAX);
+    glBlendEquationi(1, GL_MIN);
+    glBlendEquationi(2, GL_FUNC_ADD);
+    insertProgram_.use();
+    glBindVertexArray(noAttributes_.id());
+    for (const TexelRange& range : held)
+        glDrawArrays(GL_POINTS, range.first, range.end - range.first);
+    glBlendEquation(GL_FUNC_ADD);
+    glDisable(GL_BLEND);
+
+    gl::bindTexture(kGrid, GL_TEXTURE_2D_ARRAY, grid_.texture());
+    partners_.fill(searchProgram_, awake);
+}
+
+void ContactPass::push(const TexelTarget& forces, const TexelRanges& awake) const {
+    gl::bindTexture(kPartners, GL_TEXTURE_2D_ARRAY, partners_.texture());
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    forces.fill(pushProgram_, awake);
+    glDisable(GL_BLEND);
+}
+
+}  // namespace sunder::gpu
