@@ -29,7 +29,11 @@ namespace sunder {
 /// together push each other only inelastically, so that a fresh crack does not explode, however
 /// squeezed its sides were:
 ///
-///   f = max(0, α₀·M/h·(min(κ·δ/(α₀·h), kPushOut·ℓ) − v·n)) / N,  ℓ the shortest cell edge
+///   f = max(0, α₀·M/h·(δ/τ − v·n)) / N,  τ = max(kPartingTime, α₀·h/κ)
+///
+/// A crack whose sides were squeezed by δ opens at δ/τ at most, and one that bears a load W gives
+/// way by N·W·h·τ/(α₀·M). (A bound on that speed itself would be a bound on the load: under more,
+/// the sides would sink into each other without end.)
 ///
 /// Cells that still share a joined node never push each other. Which pairs may touch is searched
 /// for every kContactInterval steps, before the step: pairs of spheres whose gap is less than
@@ -37,7 +41,7 @@ namespace sunder {
 inline constexpr double kContactStiffness = 0.12;
 inline constexpr double kFrictionRate = 0.3;
 inline constexpr double kInelasticDamping = 0.6;  ///< α₀
-inline constexpr double kPushOut = 0.5;           ///< cell edges/s
+inline constexpr double kPartingTime = 0.01;      ///< s
 inline constexpr double kCrowdGap = 0.1;          ///< radii, the smaller one's
 inline constexpr int kContactInterval = 4;        ///< steps
 

@@ -33,6 +33,46 @@ std::size_t BodyRun::bytes() const {
     return sum;
 }
 
+bool BodyRun::startStep(std::int64_t step) {
+    const BodyArrays& body = storage_.arrays();
+    check_ = step % world_.description().fractureInterval == 0;
+    fracture_ = check_ && (body.bondsBreak || body.cellsBreak);
+    gatherPushes(step);
+    if (!pushes_.empty()) asleep_ = false;
+    return !asleep_;
+}
+
+void BodyRun::elements(int first, int end) {
+    updateElements(storage_.arrays(), first, end, fracture_);
+}
+
+void BodyRun::nodes(int first, int end, int part) {
+    moveNodes(first, end, part);
+    breakBonds(first, end, part);
+}
+
+void BodyRun::breakBonds(int first, int end, int part) {
+    if (!fracture_) return;
+    const BodyArrays& body = storage_.arrays();
+    const auto interval = static_cast<float>(world_.description().fractureInterval);
+    news_[part].bonds = updateBonds(body, first, end, interval * body.step);
+}
+
+void BodyRun::endStep() {
+    if (!check_) return;
+    bool broke = false, calm = pushes_.empty();
+    for (PartNews& news : news_) {
+        broke |= news.bonds.broke;
+        calm &= !news.bonds.damaged && news.fastest < calmSpeed2_;
+        news = {};
+    }
+    if (broke) {
+        relinkBroken(world_, storage_.arrays());
+        ++relinks_;
+    }
+    updateSleep(calm);
+}
+
 BodyRun::Inner BodyRun::inner(int first, int end) const {
     const int from = first == 0 ? 0 : std::min(end, first + reach_);
     const int to = end == storage_.arrays().vectors ? end : end - reach_;
@@ -42,13 +82,13 @@ BodyRun::Inner BodyRun::inner(int first, int end) const {
 /// Elements of one part, and right behind them its inner nodes: all forces around those are known,
 /// and their state and forces still lie in the cache. (A cell's state is read by the cell alone, so
 /// it may change as soon as its own elements are done.)
-void BodyRun::sweep(int first, int end, int part, bool fracture) {
+void BodyRun::sweep(int first, int end, int part) {
     constexpr int block = 8;
     const auto [from, to] = inner(first, end);
     int done = from;
     for (int begin = first; begin < end; begin += block) {
         const int next = std::min(begin + block, end);
-        updateElements(storage_.arrays(), begin, next, fracture);
+        updateElements(storage_.arrays(), begin, next, fracture_);
         const int ready = next == end ? to : std::min(to, next - reach_);
         if (ready <= done) continue;
         moveNodes(done, ready, part);
@@ -109,6 +149,7 @@ void BodyRun::load(const State& state) {
         }
     }
     relinkAll(world_, a);
+    ++relinks_;
     asleep_ = false;
     calmSteps_ = 0;
 }

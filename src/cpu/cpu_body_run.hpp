@@ -18,9 +18,24 @@ class BodyRun {
     template <class Split>
     void advance(std::int64_t from, int steps, const Split& split);
 
+    /// One step in pieces, for bodies in contact, which advance together: startStep(), elements()
+    /// for all parts, forces from outside, nodes() for all parts, endStep(). startStep() returns
+    /// whether the body is awake; if not, the rest is left out.
+    bool startStep(std::int64_t step);
+    void elements(int first, int end);
+    void nodes(int first, int end, int part);
+    void endStep();
+    const BodyArrays& arrays() const { return storage_.arrays(); }
+
     void load(const State& state);
     void store(State& state) const;
     bool asleep() const { return asleep_; }
+    void wake() {
+        asleep_ = false;
+        calmSteps_ = 0;
+    }
+    /// Changes when link masks did.
+    std::uint32_t relinks() const { return relinks_; }
     int cells() const { return storage_.arrays().cells; }
     std::size_t bytes() const;
 
@@ -36,8 +51,9 @@ class BodyRun {
         BondNews bonds;
     };
 
-    void sweep(int first, int end, int part, bool fracture);
+    void sweep(int first, int end, int part);
     void finishNodes(int first, int end, int part);
+    void breakBonds(int first, int end, int part);
     void moveNodes(int first, int end, int part);
     /// The vectors of a part whose nodes touch no other part's cells: from .. to − 1.
     struct Inner {
@@ -56,36 +72,22 @@ class BodyRun {
     float calmSpeed2_ = 0;  ///< m²/s²
     int calmSteps_ = 0, sleepSteps_ = 0;
     bool asleep_ = false;
+    bool check_ = false, fracture_ = false;  ///< what the step in progress has
+    std::uint32_t relinks_ = 0;
 };
 
 template <class Split>
 void BodyRun::advance(std::int64_t from, int steps, const Split& split) {
     if (asleep_ && !pushedWithin(world_, storage_.arrays().index, from, from + steps)) return;
-    const int interval = world_.description().fractureInterval;
-    BodyArrays& body = storage_.arrays();
-    const bool breaks = body.bondsBreak || body.cellsBreak;
+    const int vectors = storage_.arrays().vectors;
     for (std::int64_t step = from; step < from + steps; ++step) {
-        gatherPushes(step);
-        if (!pushes_.empty()) asleep_ = false;
-        if (asleep_) continue;
-        const bool check = step % interval == 0, fracture = check && breaks;
-        split(body.vectors,
-              [&](int first, int end, int part) { sweep(first, end, part, fracture); });
-        split(body.vectors, [&](int first, int end, int part) {
+        if (!startStep(step)) continue;
+        split(vectors, [&](int first, int end, int part) { sweep(first, end, part); });
+        split(vectors, [&](int first, int end, int part) {
             finishNodes(first, end, part);
-            if (fracture)
-                news_[part].bonds =
-                    updateBonds(body, first, end, static_cast<float>(interval) * body.step);
+            breakBonds(first, end, part);
         });
-        if (!check) continue;
-        bool broke = false, calm = pushes_.empty();
-        for (PartNews& news : news_) {
-            broke |= news.bonds.broke;
-            calm &= !news.bonds.damaged && news.fastest < calmSpeed2_;
-            news = {};
-        }
-        if (broke) relinkBroken(world_, body);
-        updateSleep(calm);
+        endStep();
     }
 }
 

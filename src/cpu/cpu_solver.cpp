@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "cpu/cpu_body_run.hpp"
+#include "cpu/cpu_contact.hpp"
 #include "cpu/flush_denormals.hpp"
 
 namespace sunder {
@@ -31,7 +32,30 @@ struct CpuSolver::Runner {
     /// oneTBB hands out no more threads than the machine has cores unless told to.
     std::optional<tbb::global_control> more;
     std::optional<tbb::task_arena> arena;
-    std::vector<cpu::BodyRun*> whole, split;  ///< one thread each; all threads on each in turn
+    std::vector<int> whole, split;  ///< bodies: one thread each; all threads on each in turn
+    std::optional<cpu::Contact> contact;
+    std::vector<bool> touching;  ///< per body
+
+    /// Calls work(0) .. work(count − 1), shared out to the threads.
+    template <class Work>
+    void forEach(int count, const Work& work) const {
+        const auto guarded = [&](int i) {
+            const cpu::FlushDenormals flush;
+            work(i);
+        };
+        if (threads == 1 || count == 1) {
+            for (int i = 0; i < count; ++i) guarded(i);
+        } else {
+            tbb::parallel_for(0, count, guarded);
+        }
+    }
+    template <class Work>
+    void inArena(const Work& work) {
+        if (arena)
+            arena->execute(work);
+        else
+            work();
+    }
 };
 
 CpuSolver::CpuSolver(const World& world, int threads)
@@ -48,6 +72,12 @@ CpuSolver::CpuSolver(const World& world, int threads)
     runner.laws = cpu::makeLaws(world);
     for (int body = 0; body < static_cast<int>(world.bodies().size()); ++body)
         bodies_.push_back(std::make_unique<BodyRun>(world, body, runner.laws));
+    runner.touching.assign(bodies_.size(), false);
+    if (world.description().contact) {
+        std::vector<const cpu::BodyArrays*> arrays;
+        for (const auto& run : bodies_) arrays.push_back(&run->arrays());
+        runner.contact.emplace(world, std::move(arrays));
+    }
     shareOut();
     setState(world.initialState());
 }
@@ -60,23 +90,47 @@ void CpuSolver::shareOut() {
     for (const auto& run : bodies_) cells += run->held ? run->cells() : 0;
     // A body is split when one thread alone would still be at it after the others were done.
     const int fairShare = cells / (2 * runner.threads);
-    for (const auto& run : bodies_) {
-        if (!run->held) continue;
-        const bool large = run->cells() > std::max(fairShare, 2 * kVectorsPerPart * cpu::kLanes);
-        (runner.threads > 1 && large ? runner.split : runner.whole).push_back(run.get());
+    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
+        const BodyRun& run = *bodies_[body];
+        if (!run.held) continue;
+        const bool large = run.cells() > std::max(fairShare, 2 * kVectorsPerPart * cpu::kLanes);
+        (runner.threads > 1 && large ? runner.split : runner.whole).push_back(body);
     }
+    if (runner.contact) runner.contact->forget();
 }
 
 CpuSolver::~CpuSolver() = default;
 
 void CpuSolver::advance(int steps) {
     Runner& runner = *runner_;
-    const auto alone = [&](cpu::BodyRun& run) {
-        const cpu::FlushDenormals flush;
-        run.advance(step_, steps, [](int vectors, const auto& work) { work(0, vectors, 0); });
+    runner.inArena([&] {
+        if (!runner.contact) {
+            advanceAlone(steps, runner.touching);
+            step_ += steps;
+            return;
+        }
+        for (const std::int64_t end = step_ + steps; step_ < end;) {
+            const std::int64_t next =
+                std::min(end, (step_ / kContactInterval + 1) * kContactInterval);
+            if (runner.contact->due() || step_ % kContactInterval == 0) searchContacts(next);
+            const auto count = static_cast<int>(next - step_);
+            advanceAlone(count, runner.touching);
+            advanceTouching(count, runner.touching);
+            step_ = next;
+        }
+    });
+}
+
+void CpuSolver::advanceAlone(int steps, const std::vector<bool>& leftOut) {
+    const Runner& runner = *runner_;
+    const auto alone = [&](int body) {
+        if (leftOut[body]) return;
+        bodies_[body]->advance(step_, steps,
+                               [](int vectors, const auto& work) { work(0, vectors, 0); });
     };
-    const auto together = [&](cpu::BodyRun& run) {
-        run.advance(step_, steps, [&](int vectors, const auto& work) {
+    const auto together = [&](int body) {
+        if (leftOut[body]) return;
+        bodies_[body]->advance(step_, steps, [&](int vectors, const auto& work) {
             const int parts = std::min({cpu::BodyRun::kMaxParts, 4 * runner.threads,
                                         std::max(1, vectors / kVectorsPerPart)});
             tbb::parallel_for(
@@ -89,16 +143,77 @@ void CpuSolver::advance(int steps) {
                 tbb::simple_partitioner());
         });
     };
-    if (runner.threads == 1) {
-        for (cpu::BodyRun* run : runner.whole) alone(*run);
-    } else {
-        runner.arena->execute([&] {
-            for (cpu::BodyRun* run : runner.split) together(*run);
-            tbb::parallel_for(std::size_t{0}, runner.whole.size(),
-                              [&](std::size_t i) { alone(*runner.whole[i]); });
-        });
+    for (const int body : runner.split) together(body);
+    runner.forEach(static_cast<int>(runner.whole.size()), [&](int i) { alone(runner.whole[i]); });
+}
+
+void CpuSolver::advanceTouching(int steps, const std::vector<bool>& touching) {
+    struct Part {
+        BodyRun* run;
+        int first, end, number;
+        bool awake;
+    };
+    Runner& runner = *runner_;
+    std::vector<Part> parts;
+    for (std::size_t body = 0; body < bodies_.size(); ++body) {
+        if (!touching[body]) continue;
+        const int vectors = bodies_[body]->arrays().vectors;
+        const int count = std::clamp(vectors / kVectorsPerPart, 1, cpu::BodyRun::kMaxParts);
+        for (int i = 0; i < count; ++i)
+            parts.push_back(
+                {bodies_[body].get(), vectors * i / count, vectors * (i + 1) / count, i, false});
     }
-    step_ += steps;
+    if (parts.empty()) return;
+    cpu::Contact& contact = *runner.contact;
+    const auto partCount = static_cast<int>(parts.size());
+    const int chunks = contact.chunks();
+    for (std::int64_t step = step_; step < step_ + steps; ++step) {
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            parts[i].awake =
+                parts[i].number == 0 ? parts[i].run->startStep(step) : parts[i - 1].awake;
+        runner.forEach(partCount + chunks, [&](int i) {
+            if (i >= partCount)
+                contact.follow(i - partCount);
+            else if (parts[i].awake)
+                parts[i].run->elements(parts[i].first, parts[i].end);
+        });
+        runner.forEach(chunks, [&](int chunk) { contact.push(chunk); });
+        runner.forEach(partCount, [&](int i) {
+            if (parts[i].awake) parts[i].run->nodes(parts[i].first, parts[i].end, parts[i].number);
+        });
+        for (const Part& part : parts)
+            if (part.awake && part.number == 0) part.run->endStep();
+    }
+}
+
+/// Finds the pairs that may touch until step number `until`, and wakes bodies that are hit.
+void CpuSolver::searchContacts(std::int64_t until) {
+    Runner& runner = *runner_;
+    cpu::Contact& contact = *runner.contact;
+    std::vector<cpu::Contact::BodyStatus> status(bodies_.size());
+    for (bool again = true; again;) {
+        again = false;
+        bool awake = false;
+        for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
+            const BodyRun& run = *bodies_[body];
+            const bool moves =
+                run.held && (!run.asleep() || pushedWithin(world_, body, step_, until));
+            status[body] = {run.held, moves, run.relinks()};
+            awake |= moves;
+        }
+        if (awake)
+            contact.search(status, [&](int count, const std::function<void(int)>& work) {
+                runner.forEach(count, work);
+            });
+        else
+            contact.rest();
+        for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
+            runner.touching[body] = contact.touching(body);
+            if (!contact.hit(body)) continue;
+            bodies_[body]->wake();
+            again = true;
+        }
+    }
 }
 
 State CpuSolver::state() const {
@@ -113,6 +228,7 @@ void CpuSolver::setState(const State& state) {
     step_ = state.step;
     for (const auto& run : bodies_)
         if (run->held) run->load(state);
+    if (runner_->contact) runner_->contact->forget();
 }
 
 void CpuSolver::adopt(const std::vector<int>& bodies, const State& state) {
@@ -149,6 +265,7 @@ bool CpuSolver::asleep(int body) const {
 double CpuSolver::bytesPerTetrahedron() const {
     std::size_t bytes = 0;
     for (const auto& run : bodies_) bytes += run->bytes();
+    if (runner_->contact) bytes += runner_->contact->bytes();
     return static_cast<double>(bytes) / (kTetrahedraPerCell * world_.presentCells());
 }
 

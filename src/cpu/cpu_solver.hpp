@@ -37,6 +37,11 @@ class CpuSolver : public Solver, public BodyHost {
     struct Runner;
     struct BodyRun;
     void shareOut();
+    /// Advances bodies without contact, each by itself.
+    void advanceAlone(int steps, const std::vector<bool>& leftOut);
+    /// Advances the bodies in contact, all step by step.
+    void advanceTouching(int steps, const std::vector<bool>& touching);
+    void searchContacts(std::int64_t until);
 
     const World& world_;
     std::int64_t step_ = 0;

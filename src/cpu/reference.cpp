@@ -41,18 +41,24 @@ ReferenceSolver::ReferenceSolver(const World& world) : world_(world) {
     links_.resize(world.nodeCount());
     cellStress_.resize(world.cellCount());
     principal_.resize(world.cellCount());
+    if (world.description().contact) contact_.emplace(world);
     setState(world.initialState());
 }
 
 void ReferenceSolver::setState(const State& state) {
     state_ = state;
     updateLinks();
+    searchDue_ = true;
 }
 
 void ReferenceSolver::advance(int steps) {
     for (int i = 0; i < steps; ++i) {
         const bool fracture = state_.step % world_.description().fractureInterval == 0;
+        if (contact_ && (searchDue_ || state_.step % kContactInterval == 0))
+            contact_->search(state_, links_);
+        searchDue_ = false;
         updateElements(fracture);
+        if (contact_) contact_->addForces(state_, force_);
         updateNodes();
         if (fracture) updateFracture();
         ++state_.step;

@@ -1,8 +1,10 @@
 #pragma once
 #include <array>
+#include <optional>
 
 #include "core/elasticity.hpp"
 #include "core/solver.hpp"
+#include "cpu/reference_contact.hpp"
 
 namespace sunder {
 
@@ -45,6 +47,8 @@ class ReferenceSolver : public Solver {
     std::vector<std::uint8_t> links_;     ///< per node, linkMask()
     std::vector<CellStress> cellStress_;  ///< valid after updateElements(true)
     std::vector<double> principal_;       ///< Pa, per cell, likewise
+    std::optional<ReferenceContact> contact_;
+    bool searchDue_ = true;  ///< the state was set: pairs are unknown
 };
 
 }  // namespace sunder

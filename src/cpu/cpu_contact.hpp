@@ -1,0 +1,136 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/contact.hpp"
+#include "cpu/cpu_body.hpp"
+#include "cpu/cpu_contact_grid.hpp"
+
+namespace sunder::cpu {
+
+/// Calls work(0) .. work(count − 1), in any order and in as many threads as it likes.
+using ForEach = std::function<void(int count, const std::function<void(int)>& work)>;
+
+/// Contact between the cells of all bodies (core/contact.hpp).
+///
+/// A search has two stages. The list of *candidates*, spheres that may come near each other within
+/// the next few searches, is renewed only when one of them has used up the way allowed for; each
+/// search then picks from it the pairs that the model asks for. What comes out does not depend on
+/// how old the candidates are. Lattice neighbours that no joined node holds together are always
+/// candidates.
+///
+/// Every cell works out its side of each of its pairs; both sides run the same operations with the
+/// operands ordered by number, so their forces are opposite to the bit.
+class Contact {
+  public:
+    /// `bodies`: all of the world's, in its order; must outlive it.
+    Contact(const World& world, std::vector<const BodyArrays*> bodies);
+
+    struct BodyStatus {
+        bool held = true, awake = true;
+        std::uint32_t relinks = 0;  ///< changes when link masks did
+    };
+    void search(std::span<const BodyStatus> status, const ForEach& forEach);
+    /// Pairs are unknown: the state was set, or bodies came or went.
+    void forget() { due_ = true; }
+    bool due() const { return due_; }
+    /// No body is awake.
+    void rest();
+
+    /// Whether the body has a listed pair.
+    bool touching(int body) const { return bodies_[body].touching; }
+    /// Whether an awake cell of another body hit this sleeping one, at the last search.
+    bool hit(int body) const { return bodies_[body].hit; }
+
+    /// Each step, for chunks 0 .. chunks() − 1 of the touching cells: follow() while element forces
+    /// are worked out, then push(), which adds to them.
+    int chunks() const;
+    void follow(int chunk);
+    void push(int chunk);
+
+    std::size_t bytes() const;
+
+  private:
+    struct BodyContact {
+        const BodyArrays* arrays;
+        int first;    ///< number of its first sphere; sphere s of cell c is first + s·stride + c
+        int stride;   ///< cells, padded
+        int spheres;  ///< of each cell
+        float radius, edge;                                 ///< m
+        std::array<std::array<float, kCorners>, 8> weight;  ///< [sphere][corner]
+        bool present = false;                               ///< all cells are
+        BodyStatus status;
+        bool settled = false;  ///< asleep, and its spheres known
+        bool broken = false;   ///< some lattice neighbours are not joined
+        bool relink = true;
+        bool self = false;                        ///< its cells may touch each other
+        bool near = false;                        ///< may have pairs now
+        bool inGrid = false, selfInGrid = false;  ///< when candidates were last searched for
+        bool touching = false, hit = false;
+        std::array<float, 3> low, high;  ///< m, of its spheres with their reach
+        float spread = 0;                ///< m, how different its spheres' displacements are
+        struct Loose {
+            int a, b;
+        };
+        std::vector<Loose> loose;  ///< lattice neighbours that no joined node holds together
+    };
+    struct CellLaw {
+        float radius, mass, damping, friction;
+    };
+    /// Part of a body's tiles, and what its spheres have come to.
+    struct Stretch {
+        int body, first, end;
+        std::array<float, 3> low, high, lowU, highU;
+        float reach;
+        bool expired;
+    };
+    struct Pair {
+        int a, b;  ///< spheres, a < b
+        bool neighbours, crowds, listed, hitsA, hitsB;
+    };
+    struct ActiveCell {
+        int body, cell;
+    };
+
+    void layOut(const World& world);
+    void measure(Stretch& stretch);
+    void measureTile(const BodyContact& body, int tile, Stretch& stretch);
+    void measureBodies(const ForEach& forEach);
+    void findLoose(BodyContact& body) const;
+    void findNear();
+    bool candidatesHold() const;
+    void findCandidates(const ForEach& forEach);
+    void pickPairs(const ForEach& forEach);
+    void pick(int a, int b, bool neighbours, std::vector<Pair>& pairs) const;
+    void listPairs();
+    std::array<float, 3> pairForce(int a, int b, bool neighbours) const;
+    float reachOf(int sphere) const;
+
+    std::vector<BodyContact> bodies_;
+    std::vector<CellLaw> laws_;
+    float step_ = 0, closing_ = 0;  ///< s; closing_·speed: the margin that speed asks for
+    float partingTime_ = 0;         ///< s
+    bool due_ = true;
+
+    // Per sphere.
+    std::array<std::vector<float>, 3> rest_, moved_, velocity_;  ///< m, m, m/s
+    std::array<std::vector<float>, 3> before_;  ///< displacement when candidates were searched for
+    std::vector<float> allowed_;        ///< m, reach and way allowed for until the next time
+    std::vector<int> bodyOf_, cellOf_;  ///< cellOf_: number of the cell's first sphere
+    std::vector<std::uint16_t> lawOf_;
+    std::vector<std::uint8_t> there_;  ///< its cell is present
+    std::vector<int> crowd_;           ///< N, at the cell's first sphere
+
+    std::vector<Stretch> stretches_;
+    ContactGrid grid_;
+    std::vector<ContactGrid::Candidate> candidates_;
+    std::vector<std::vector<Pair>> picked_;  ///< by part
+    std::vector<int> begin_;                 ///< per sphere: its first entry in partner_
+    std::vector<int> partner_;               ///< 2·sphere + (1: lattice neighbours), ascending
+    std::vector<ActiveCell> active_;
+};
+
+}  // namespace sunder::cpu

@@ -1,0 +1,45 @@
+#pragma once
+#include "core/contact.hpp"
+
+namespace sunder {
+
+/// Contact between cells (core/contact.hpp) for the reference solver: a list of the pairs of
+/// spheres that may touch, renewed by search(), and their forces.
+class ReferenceContact {
+  public:
+    explicit ReferenceContact(const World& world);
+
+    /// `links`: linkMask() per node, as the bonds of `state` are.
+    void search(const State& state, const std::vector<std::uint8_t>& links);
+    /// Adds the forces of the listed pairs to the nodes' (N).
+    void addForces(const State& state, std::vector<Vec3>& force) const;
+
+  private:
+    struct Sphere {
+        int cell, number;
+        Vec3 centre, velocity;
+        double reach;  ///< m: radius plus what it may add to a margin
+    };
+    struct Pair {
+        int cellA, sphereA, cellB, sphereB;  ///< cellA < cellB
+        bool neighbours;                     ///< on one body's lattice
+        auto operator<=>(const Pair&) const = default;
+    };
+
+    Sphere sphere(const State& state, int cell, int number) const;
+    bool neighbours(int cellA, int cellB) const;
+    bool joined(int cellA, int cellB, const std::vector<std::uint8_t>& links) const;
+    /// Force on A.
+    Vec3 pairForce(const Pair& pair, const State& state) const;
+    void addToCorners(int cell, int number, const Vec3& force, std::vector<Vec3>& nodes) const;
+    const ContactProxy& proxyOf(int cell) const { return proxies_[world_.bodyOf(cell)]; }
+    double dampingOf(int cell) const { return world_.laws()[world_.lawOf(cell)].contactDamping; }
+
+    const World& world_;
+    std::vector<ContactProxy> proxies_;                               ///< per body
+    std::vector<std::vector<std::array<double, kCorners>>> weights_;  ///< per body and sphere
+    std::vector<Pair> pairs_;                                         ///< sorted
+    std::vector<int> crowd_;                                          ///< N, per cell
+};
+
+}  // namespace sunder
