@@ -24,5 +24,5 @@ void main() {
         }
     }
     centre = vec4(x, reach + proxy.radius);
-    velocity = vec4(v, 0.0);
+    velocity = vec4(v, proxy.radius);
 }

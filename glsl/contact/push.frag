@@ -8,14 +8,13 @@ uniform float stepSize;           // s
 layout(location = 0) out vec4 forces[8];  // N, blended by addition
 
 ContactSide sideOf(int cell, uvec4 record, BodyRecord body) {
-    vec3 size = body.cellSize.xyz;
     return ContactSide(8.0 * cornerMass(record), uintBitsToFloat(record.w), texelFetch(strengths, cell).w, body.events.w,
-                       texelFetch(partners, ivec3(texelAddress(cell), 2), 0).y, min(size.x, min(size.y, size.z)));
+                       texelFetch(partners, ivec3(texelAddress(cell), 0), 0).y);
 }
 
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
-    int count = int(texelFetch(partners, ivec3(texel, 2), 0).x);
+    int count = int(texelFetch(partners, ivec3(texel, 0), 0).x);
     if (count == 0) discard;
     for (int k = 0; k < 8; ++k) forces[k] = vec4(0.0);
     int self = fragmentIndex();
@@ -24,10 +23,9 @@ void main() {
     Cell own = cellAt(self, body.cellSize.xyz);
     Proxy ownProxy = proxyOf(body);
     ContactSide ownSide = sideOf(self, record, body);
-    vec4 low = texelFetch(partners, ivec3(texel, 0), 0), high = texelFetch(partners, ivec3(texel, 1), 0);
 
     for (int p = 0; p < count; ++p) {
-        int other = int(p < 4 ? low[p] : high[p - 4]) - 1;
+        int other = int(texelFetch(partners, ivec3(texel, 1 + (p >> 2)), 0)[p & 3]);
         uvec4 otherRecord = cellRecord(other);
         BodyRecord otherBody = bodyRecord(bodyOf(otherRecord));
         Cell theirs = cellAt(other, otherBody.cellSize.xyz);

@@ -9,9 +9,8 @@ uniform sampler2DArray links;  // layers of LinkRecord
 uniform float stepSize;        // s
 uniform float searchInterval;  // s, until the next one
 
-layout(location = 0) out vec4 partnersLow;   // numbers of cells, plus one; 0: none
-layout(location = 1) out vec4 partnersHigh;
-layout(location = 2) out vec4 summary;       // partners; N; how many there was no room for; another body it touches, plus one
+layout(location = 0) out vec4 summary;       // partners; N; how many there was no room for; another body it touches, plus one
+layout(location = 1) out vec4 partners[5];  // numbers of cells
 
 const float kSleepSpeed = 0.06;  // cell edges/s, src/core/sleep.hpp
 
@@ -20,18 +19,33 @@ uvec4 record;
 vec4 centre, velocity;
 BodyRecord body;
 vec4 masks;
-int partners = 0;
+ivec4 lattice;
+ivec3 place;  // on the lattice
+uint neighbours;
+int partnerCount = 0;
 float crowd = 0.0, dropped = 0.0, touched = 0.0;
 
-// Whether two lattice neighbours share a joined node.
-bool joined(ivec3 offset) {
+// Bit (x + 1) + 3 (y + 1) + 9 (z + 1): the cell so many steps away on the lattice shares a joined node.
+uint joinedNeighbours() {
+    uint result = 0u;
     for (int corner = 0; corner < 8; ++corner) {
-        ivec3 octant = cornerBits(corner ^ 7) + offset;
-        if (any(lessThan(octant, ivec3(0))) || any(greaterThan(octant, ivec3(1)))) continue;
-        int bit = octant.x | octant.y << 1 | octant.z << 2;
-        if ((linkMaskOf(masks, corner) >> uint(bit) & 1u) != 0u) return true;
+        uint mask = linkMaskOf(masks, corner);
+        ivec3 own = cornerBits(corner ^ 7);
+        for (int octant = 0; octant < 8; ++octant) {
+            ivec3 offset = cornerBits(octant) - own + 1;
+            result |= (mask >> uint(octant) & 1u) << uint(offset.x + 3 * offset.y + 9 * offset.z);
+        }
     }
-    return false;
+    return result;
+}
+
+// Whether a cell is one of them.
+bool joined(int other) {
+    int local = other - lattice.w;
+    if (local < 0 || local >= lattice.x * lattice.y * lattice.z) return false;
+    ivec3 offset = cellCoordinates(other, lattice) - place;
+    if (any(greaterThan(abs(offset), ivec3(1)))) return false;
+    return (neighbours >> uint(offset.x + 3 * offset.y + 9 * offset.z + 13) & 1u) != 0u;
 }
 
 // Sphere pairs closer than the crowd's gap; gap: of the closest pair, m.
@@ -57,30 +71,31 @@ float closePairs(int other, BodyRecord otherBody, out float gap) {
     return count;
 }
 
-void consider(float number, ivec3 voxel) {
-    int other = int(number) - 1;
-    if (other == self) return;
-    vec4 theirs = texelFetch(centres, ivec3(texelAddress(other), 0), 0);
+void consider(int other, ivec3 voxel) {
+    if (other == self || joined(other)) return;
+    ivec2 texel = texelAddress(other);
+    vec4 theirs = texelFetch(centres, ivec3(texel, 0), 0);
     if (voxelOf(theirs.xyz) != voxel) return;  // another voxel of the same texel
-    uvec4 otherRecord = cellRecord(other);
-    BodyRecord otherBody = bodyRecord(bodyOf(otherRecord));
-    float speed = distance(velocity.xyz, texelFetch(centres, ivec3(texelAddress(other), 1), 0).xyz);
-    float margin = max(0.5 * (body.events.w + otherBody.events.w), 1.1 * searchInterval * speed);
+    vec4 moving = texelFetch(centres, ivec3(texel, 1), 0);
+    float margin = max(0.5 * (velocity.w + moving.w), 1.1 * searchInterval * distance(velocity.xyz, moving.xyz));
     if (distance(centre.xyz, theirs.xyz) > centre.w + theirs.w + margin) return;
-    ivec3 offset;
-    if (latticeNeighbours(self, other, record, otherRecord, offset) && joined(offset)) return;
+    uvec4 otherRecord = cellRecord(other);
     float gap;
-    crowd += closePairs(other, otherBody, gap);
+    crowd += closePairs(other, bodyRecord(bodyOf(otherRecord)), gap);
     if (gap < 0.0 && record.y != otherRecord.y && length(velocity.xyz) > kSleepSpeed * body.cellSize.x)
         touched = max(touched, float(otherRecord.y) + 1.0);
-    if (partners < 4) partnersLow[partners] = number;
-    else if (partners < 8) partnersHigh[partners - 4] = number;
-    if (partners < 8) ++partners;
-    else dropped += 1.0;
+    if (partnerCount == 20) {
+        dropped += 1.0;
+        return;
+    }
+    vec4 slot = vec4(equal(ivec4(0, 1, 2, 3), ivec4(partnerCount & 3))) * float(other);
+    for (int layer = 0; layer < 5; ++layer)
+        if (layer == partnerCount >> 2) partners[layer] += slot;
+    ++partnerCount;
 }
 
 void main() {
-    partnersLow = partnersHigh = vec4(0.0);
+    for (int layer = 0; layer < 5; ++layer) partners[layer] = vec4(0.0);
     summary = vec4(0.0, 1.0, 0.0, 0.0);
     self = fragmentIndex();
     ivec2 texel = ivec2(gl_FragCoord.xy);
@@ -90,19 +105,23 @@ void main() {
     record = cellRecord(self);
     body = bodyRecord(bodyOf(record));
     masks = texelFetch(links, ivec3(texel, 0), 0);
+    lattice = ivec4(body.lattice);
+    place = cellCoordinates(self, lattice);
+    neighbours = joinedNeighbours();
     ivec3 own = voxelOf(centre.xyz);
     for (int i = 0; i < 27; ++i) {
         ivec3 voxel = own + ivec3(i % 3, i / 3 % 3, i / 9) - 1;
         ivec2 at = voxelTexel(voxel);
-        vec4 largest = texelFetch(grid, ivec3(at, 0), 0);
-        if (largest == vec4(0.0)) continue;
-        vec4 smallest = texelFetch(grid, ivec3(at, 1), 0);
-        for (int c = 0; c < 4; ++c) {
-            if (largest[c] > 0.0) consider(largest[c], voxel);
-            if (smallest[c] < largest[c]) consider(smallest[c], voxel);
+        for (int half_ = 0; half_ < 2; ++half_) {
+            vec4 largest = texelFetch(grid, ivec3(at, half_), 0);
+            if (largest == vec4(0.0)) continue;
+            vec4 smallest = texelFetch(grid, ivec3(at, 2 + half_), 0);
+            for (int e = 0; e < 8; ++e) {
+                float upper = largest[e & 3], number = e < 4 ? upper : smallest[e & 3];
+                if (upper > 0.0 && (e < 4 || number < upper)) consider(int(number) - 1, voxel);
+            }
+            if (i == 13) dropped += dot(max(texelFetch(grid, ivec3(at, 4 + half_), 0) - 2.0, 0.0), vec4(1.0));
         }
-        vec4 count = texelFetch(grid, ivec3(at, 2), 0);
-        if (i == 13) dropped += dot(max(count - 2.0, 0.0), vec4(1.0));
     }
-    summary = vec4(float(partners), max(crowd, 1.0), dropped, touched);
+    summary = vec4(float(partnerCount), max(crowd, 1.0), dropped, touched);
 }

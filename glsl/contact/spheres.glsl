@@ -5,7 +5,7 @@
 uniform samplerBuffer rest;       // xyz: rest position of a node, m
 uniform samplerBuffer strengths;  // w: friction
 uniform sampler2DArray centres;   // layer 0: centre of a cell, m; w: distance its spheres reach, m, 0 where no cell is
-                                  // layer 1: its velocity, m/s
+                                  // layer 1: its velocity, m/s; w: radius of its spheres, m
 
 // A cell as its spheres need it: first corner at rest, edges (m), displacements (m) and velocities (m/s) of its corners.
 struct Cell {

@@ -4,7 +4,7 @@
 const float kContactStiffness = 0.12;
 const float kFrictionRate = 0.3;
 const float kInelasticDamping = 0.6;
-const float kPushOut = 0.5;  // cell edges/s
+const float kPartingTime = 0.01;  // s
 const float kCrowdGap = 0.1; // radii
 
 // A cell's spheres: how many along each axis, radius (m).
@@ -18,10 +18,20 @@ Proxy proxyOf(BodyRecord body) {
     return Proxy(ivec3(counts & 15, counts >> 4 & 15, counts >> 8), body.events.w);
 }
 
-int sphereCount(Proxy proxy) { return proxy.count.x * proxy.count.y * proxy.count.z; }
+// One wherever every cell of the world has but one: the compiler then drops what more would take.
+int sphereCount(Proxy proxy) {
+#if ONE_SPHERE
+    return 1;
+#else
+    return proxy.count.x * proxy.count.y * proxy.count.z;
+#endif
+}
 
 // Place of a sphere in its cell, 0 to 1.
 vec3 spherePlace(Proxy proxy, int sphere) {
+#if ONE_SPHERE
+    return vec3(0.5);
+#endif
     ivec3 n = proxy.count;
     return (vec3(sphere % n.x, sphere / n.x % n.y, sphere / (n.x * n.y)) + 0.5) / vec3(n);
 }
@@ -39,7 +49,6 @@ struct ContactSide {
     float friction;  // μ
     float radius;    // m
     float crowd;     // N
-    float edge;      // m, the shortest
 };
 
 // Force on sphere A from sphere B, N. x: A's centre less B's, m; v likewise, m/s.
@@ -52,8 +61,8 @@ vec3 contactForce(ContactSide a, ContactSide b, vec3 x, vec3 v, bool neighbours,
     float separating = dot(v, n);
     float f;
     if (neighbours) {
-        float apart = min(kContactStiffness * overlap / (kInelasticDamping * h), kPushOut * min(a.edge, b.edge));
-        f = kInelasticDamping * M / h * (apart - separating);
+        float parting = max(kPartingTime, kInelasticDamping * h / kContactStiffness);
+        f = kInelasticDamping * M / h * (overlap / parting - separating);
     } else {
         float touching = min(1.0, overlap / max(h * abs(separating), 1.0e-12));
         f = M / h * (kContactStiffness / h * overlap - 0.5 * (a.damping + b.damping) * touching * separating);

@@ -27,6 +27,17 @@ double voxelSize(const World& world) {
     return 2.5 * reach + radius;
 }
 
+bool oneSphere(const World& world) {
+    return std::all_of(world.bodies().begin(), world.bodies().end(),
+                       [](const Body& body) { return contactProxy(body.cellSize).spheres() == 1; });
+}
+
+gl::Program texelProgram(const char* fragment, const World& world) {
+    return gl::Program({.vertex = "gather/texels.vert",
+                        .fragment = fragment,
+                        .defines = {{"ONE_SPHERE", oneSphere(world) ? "1" : "0"}}});
+}
+
 void setGrid(const gl::Program& program, const World& world, int columns) {
     program.use();
     const int columnBits = std::countr_zero(static_cast<unsigned>(columns));
@@ -39,12 +50,12 @@ void setGrid(const gl::Program& program, const World& world, int columns) {
 
 ContactPass::ContactPass(const World& world, int columns)
     : centres_(world.cellCount(), columns, 2, "cell centres"),
-      grid_(gridTexels(world), texelColumns(gridTexels(world)), 3, "contact grid"),
-      partners_(world.cellCount(), columns, 3, "contact partners"),
-      centreProgram_({.vertex = "gather/texels.vert", .fragment = "contact/centre.frag"}),
+      grid_(gridTexels(world), texelColumns(gridTexels(world)), 6, "contact grid"),
+      partners_(world.cellCount(), columns, 6, "contact partners"),
+      centreProgram_(texelProgram("contact/centre.frag", world)),
       insertProgram_({.vertex = "contact/insert.vert", .fragment = "contact/insert.frag"}),
-      searchProgram_({.vertex = "gather/texels.vert", .fragment = "contact/search.frag"}),
-      pushProgram_({.vertex = "gather/texels.vert", .fragment = "contact/push.frag"}),
+      searchProgram_(texelProgram("contact/search.frag", world)),
+      pushProgram_(texelProgram("contact/push.frag", world)),
       noAttributes_(gl::makeVertexArray()) {
     for (const gl::Program* program :
          {&centreProgram_, &insertProgram_, &searchProgram_, &pushProgram_})
@@ -59,29 +70,38 @@ ContactPass::ContactPass(const World& world, int columns)
                 static_cast<float>(kContactInterval * world.step()));
 }
 
-void ContactPass::search(const TexelRanges& awake, std::span<const TexelRange> held) {
-    centres_.fill(centreProgram_, awake);
+void ContactPass::search(const TexelRanges& awake, std::span<const TexelRange> held,
+                         PassTimer* timer) {
+    {
+        const TimedPass timed(timer, "contact centres");
+        centres_.fill(centreProgram_, awake);
+    }
     gl::bindTexture(kCentres, GL_TEXTURE_2D_ARRAY, centres_.texture());
+    {
+        const TimedPass timed(timer, "contact grid");
+        fillGrid(held);
+    }
+    gl::bindTexture(kGrid, GL_TEXTURE_2D_ARRAY, grid_.texture());
+    const TimedPass timed(timer, "contact search");
+    partners_.fill(searchProgram_, awake);
+}
 
+void ContactPass::fillGrid(std::span<const TexelRange> held) {
     grid_.bind();
     constexpr GLfloat nobody[] = {3e7f, 3e7f, 3e7f, 3e7f}, zero[] = {0, 0, 0, 0};
-    glClearBufferfv(GL_COLOR, 0, zero);
-    glClearBufferfv(GL_COLOR, 1, nobody);
-    glClearBufferfv(GL_COLOR, 2, zero);
+    for (GLuint layer = 0; layer < 6; ++layer) {
+        const bool smallest = layer / 2 == 1;
+        glClearBufferfv(GL_COLOR, static_cast<GLint>(layer), smallest ? nobody : zero);
+        glBlendEquationi(layer, layer < 2 ? GL_MAX : smallest ? GL_MIN : GL_FUNC_ADD);
+    }
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
-    glBlendEquationi(0, GL_MAX);
-    glBlendEquationi(1, GL_MIN);
-    glBlendEquationi(2, GL_FUNC_ADD);
     insertProgram_.use();
     glBindVertexArray(noAttributes_.id());
     for (const TexelRange& range : held)
         glDrawArrays(GL_POINTS, range.first, range.end - range.first);
     glBlendEquation(GL_FUNC_ADD);
     glDisable(GL_BLEND);
-
-    gl::bindTexture(kGrid, GL_TEXTURE_2D_ARRAY, grid_.texture());
-    partners_.fill(searchProgram_, awake);
 }
 
 void ContactPass::push(const TexelTarget& forces, const TexelRanges& awake) const {

@@ -240,8 +240,7 @@ void GatherSolver::advance(int steps) {
 
 void GatherSolver::addContacts() {
     if (searchDue_ || step_ % kContactInterval == 0) {
-        const TimedPass timed(passTimer_, "contact search");
-        contact_->search(awake_, held_);
+        contact_->search(awake_, held_, passTimer_);
         searchDue_ = false;
     }
     const TimedPass timed(passTimer_, "contacts");
