@@ -11,7 +11,6 @@ namespace {
 
 constexpr int kTilesPerStretch = 32;
 constexpr int kCandidatesPerPart = 4096;
-constexpr int kCellsPerChunk = 64;
 /// What a sphere may move, in radii, or in searches at its speed, before candidates are renewed.
 constexpr float kLeeway = 0.4f;
 constexpr float kLeewaySearches = 8;
@@ -119,7 +118,27 @@ float Contact::reachOf(int sphere) const {
     return radius + std::max(0.5f * radius, closing_ * speed);
 }
 
-/// Centres and velocities of a tile's spheres, their bounds, and whether one of them has used up
+/// Centres and velocities of a tile's spheres of one number.
+void Contact::centreTile(const BodyContact& body, int tile, int sphere) {
+    const int at = body.first + sphere * body.stride + tile * kLanes;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::ptrdiff_t tiles = tiled(kNodeComponents, axis, tile * kLanes);
+        const float* u = body.arrays->displacement + tiles;
+        const float* v = body.arrays->velocity + tiles;
+        float sumU[kLanes] = {}, sumV[kLanes] = {};
+        for (int corner = 0; corner < kCorners; ++corner) {
+            const float weight = body.weight[sphere][corner];
+            for (int lane = 0; lane < kLanes; ++lane) {
+                sumU[lane] += weight * u[3 * corner * kLanes + lane];
+                sumV[lane] += weight * v[3 * corner * kLanes + lane];
+            }
+        }
+        std::copy_n(sumU, kLanes, moved_[axis].data() + at);
+        std::copy_n(sumV, kLanes, velocity_[axis].data() + at);
+    }
+}
+
+/// A tile's spheres, their bounds, and whether one of them has used up
 /// the way that candidates allow it.
 void Contact::measureTile(const BodyContact& body, int tile, Stretch& stretch) {
     float square[kLanes], way[kLanes];
@@ -128,38 +147,26 @@ void Contact::measureTile(const BodyContact& body, int tile, Stretch& stretch) {
         const std::uint8_t* there = there_.data() + at;
         std::fill_n(square, kLanes, 0.f);
         std::fill_n(way, kLanes, 0.f);
+        centreTile(body, tile, s);
         for (int axis = 0; axis < 3; ++axis) {
-            const std::ptrdiff_t tiles = tiled(kNodeComponents, axis, tile * kLanes);
-            const float* u = body.arrays->displacement + tiles;
-            const float* v = body.arrays->velocity + tiles;
-            float sumU[kLanes] = {}, sumV[kLanes] = {};
-            for (int corner = 0; corner < kCorners; ++corner) {
-                const float weight = body.weight[s][corner];
-                for (int lane = 0; lane < kLanes; ++lane) {
-                    sumU[lane] += weight * u[3 * corner * kLanes + lane];
-                    sumV[lane] += weight * v[3 * corner * kLanes + lane];
-                }
-            }
-            float* moved = moved_[axis].data() + at;
-            float* velocity = velocity_[axis].data() + at;
+            const float* moved = moved_[axis].data() + at;
+            const float* velocity = velocity_[axis].data() + at;
             const float* before = before_[axis].data() + at;
             const float* rest = rest_[axis].data() + at;
             for (int lane = 0; lane < kLanes; ++lane) {
-                moved[lane] = sumU[lane];
-                velocity[lane] = sumV[lane];
-                square[lane] += sumV[lane] * sumV[lane];
-                const float since = sumU[lane] - before[lane];
+                square[lane] += velocity[lane] * velocity[lane];
+                const float since = moved[lane] - before[lane];
                 way[lane] += since * since;
             }
             float low = stretch.low[axis], high = stretch.high[axis];
             float lowU = stretch.lowU[axis], highU = stretch.highU[axis];
             for (int lane = 0; lane < kLanes; ++lane) {
                 if (!body.present && !there[lane]) continue;
-                const float x = rest[lane] + sumU[lane];
+                const float x = rest[lane] + moved[lane];
                 low = std::min(low, x);
                 high = std::max(high, x);
-                lowU = std::min(lowU, sumU[lane]);
-                highU = std::max(highU, sumU[lane]);
+                lowU = std::min(lowU, moved[lane]);
+                highU = std::max(highU, moved[lane]);
             }
             stretch.low[axis] = low;
             stretch.high[axis] = high;
@@ -351,12 +358,12 @@ void Contact::pick(int a, int b, bool neighbours, std::vector<Pair>& pairs) cons
     const float far2 = distance2(apart);
     if (!(far2 < (touch + margin) * (touch + margin))) return;
     const float crowded = touch + static_cast<float>(kCrowdGap) * std::min(ra, rb);
-    Pair pair{a, b, neighbours, far2 < crowded * crowded, true, false, false};
+    Pair pair{a, b, neighbours, far2 < crowded * crowded, false, false};
     if (far2 < touch * touch && bodyOf_[a] != bodyOf_[b]) {
         const auto fast = [&](int sphere, const BodyContact& body) {
-            const float calm = static_cast<float>(kSleepSpeed) * body.edge;
+            const float creep = static_cast<float>(kCreepSpeed) * body.edge;
             return distance2({velocity_[0][sphere], velocity_[1][sphere], velocity_[2][sphere]}) >
-                   calm * calm;
+                   creep * creep;
         };
         pair.hitsA = !bodyA.status.awake && fast(b, bodyB);
         pair.hitsB = !bodyB.status.awake && fast(a, bodyA);
@@ -412,18 +419,7 @@ void Contact::listPairs() {
             bodies_[bodyOf_[pair.a]].hit |= pair.hitsA;
             bodies_[bodyOf_[pair.b]].hit |= pair.hitsB;
         }
-    active_.clear();
-    for (std::size_t index = 0; index < bodies_.size(); ++index) {
-        BodyContact& body = bodies_[index];
-        for (int cell = 0; cell < body.stride; ++cell) {
-            int entries = 0;
-            for (int s = 0; s < body.spheres; ++s)
-                entries += begin_[body.first + s * body.stride + cell + 1];
-            if (entries == 0) continue;
-            active_.push_back({static_cast<int>(index), cell});
-            body.touching = true;
-        }
-    }
+    listActive();
     for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
     partner_.resize(static_cast<std::size_t>(begin_.back()));
     // Fills each sphere's entries from their end, in order.
@@ -448,8 +444,61 @@ void Contact::listPairs() {
     }
 }
 
+/// Cells with partners, and the tiles they are in; begin_ holds counts, one place on.
+void Contact::listActive() {
+    active_.clear();
+    tiles_.clear();
+    for (std::size_t index = 0; index < bodies_.size(); ++index) {
+        BodyContact& body = bodies_[index];
+        body.tiles.from = static_cast<int>(tiles_.size());
+        body.cells.from = static_cast<int>(active_.size());
+        for (int cell = 0; cell < body.stride; ++cell) {
+            int entries = 0;
+            for (int s = 0; s < body.spheres; ++s)
+                entries += begin_[body.first + s * body.stride + cell + 1];
+            if (entries == 0) continue;
+            active_.push_back({static_cast<int>(index), cell});
+            if (!body.touching || tiles_.back().tile != cell / kLanes)
+                tiles_.push_back({static_cast<int>(index), cell / kLanes});
+            body.touching = true;
+        }
+        body.tiles.to = static_cast<int>(tiles_.size());
+        body.cells.to = static_cast<int>(active_.size());
+    }
+}
+
+/// Union–find over pairs of awake bodies; the root of an island is its first body.
+void Contact::findIslands() {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i].island = static_cast<int>(i);
+    const auto root = [&](int body) {
+        while (bodies_[body].island != body)
+            body = bodies_[body].island = bodies_[bodies_[body].island].island;
+        return body;
+    };
+    for (const auto& pairs : picked_)
+        for (const Pair& pair : pairs) {
+            const int a = bodyOf_[pair.a], b = bodyOf_[pair.b];
+            if (a == b || !bodies_[a].status.awake || !bodies_[b].status.awake) continue;
+            const int rootA = root(a), rootB = root(b);
+            bodies_[std::max(rootA, rootB)].island = std::min(rootA, rootB);
+        }
+    islands_.clear();
+    std::vector<int> place(bodies_.size(), -1);
+    for (int i = 0; i < static_cast<int>(bodies_.size()); ++i) {
+        if (!bodies_[i].touching) continue;
+        int& at = place[root(i)];
+        if (at < 0) {
+            at = static_cast<int>(islands_.size());
+            islands_.emplace_back();
+        }
+        islands_[at].push_back(i);
+    }
+}
+
 void Contact::rest() {
     active_.clear();
+    tiles_.clear();
+    islands_.clear();
     for (BodyContact& body : bodies_) body.touching = body.hit = false;
 }
 
@@ -473,32 +522,25 @@ void Contact::search(std::span<const BodyStatus> status, const ForEach& forEach)
     if (!candidatesHold()) findCandidates(forEach);
     pickPairs(forEach);
     listPairs();
+    findIslands();
 }
 
-int Contact::chunks() const {
-    return (static_cast<int>(active_.size()) + kCellsPerChunk - 1) / kCellsPerChunk;
-}
-
-/// Centres and velocities of a chunk's spheres.
-void Contact::follow(int chunk) {
-    const auto end = std::min(active_.size(), static_cast<std::size_t>(chunk + 1) * kCellsPerChunk);
-    for (auto i = static_cast<std::size_t>(chunk) * kCellsPerChunk; i < end; ++i) {
-        const BodyContact& body = bodies_[active_[i].body];
-        for (int s = 0; s < body.spheres; ++s) {
-            const int sphere = body.first + s * body.stride + active_[i].cell;
-            for (int axis = 0; axis < 3; ++axis) {
-                const std::ptrdiff_t at = tiled(kNodeComponents, axis, active_[i].cell);
-                float u = 0, v = 0;
-                for (int corner = 0; corner < kCorners; ++corner) {
-                    u += body.weight[s][corner] *
-                         body.arrays->displacement[at + 3 * corner * kLanes];
-                    v += body.weight[s][corner] * body.arrays->velocity[at + 3 * corner * kLanes];
-                }
-                moved_[axis][sphere] = u;
-                velocity_[axis][sphere] = v;
-            }
-        }
+/// Centres and velocities of the spheres.
+void Contact::follow(Range tiles) {
+    for (int i = tiles.from; i < tiles.to; ++i) {
+        const BodyContact& body = bodies_[tiles_[i].body];
+        for (int s = 0; s < body.spheres; ++s) centreTile(body, tiles_[i].tile, s);
     }
+}
+
+/// Whether the spheres surely do not touch.
+bool Contact::apart(int sphere, int other) const {
+    std::array<float, 3> way;
+    for (int axis = 0; axis < 3; ++axis)
+        way[axis] = (rest_[axis][sphere] - rest_[axis][other]) +
+                    (moved_[axis][sphere] - moved_[axis][other]);
+    const float touch = laws_[lawOf_[sphere]].radius + laws_[lawOf_[other]].radius;
+    return distance2(way) >= touch * touch;
 }
 
 /// Force on `a`, which is less than `b`.
@@ -537,22 +579,25 @@ std::array<float, 3> Contact::pairForce(int a, int b, bool neighbours) const {
             push * normal[2] - share * slip[2]};
 }
 
-/// Adds the forces on a chunk's cells to those on their corners.
-void Contact::push(int chunk) {
-    const auto end = std::min(active_.size(), static_cast<std::size_t>(chunk + 1) * kCellsPerChunk);
-    for (auto i = static_cast<std::size_t>(chunk) * kCellsPerChunk; i < end; ++i) {
+/// Adds the forces on the cells to those on their corners.
+void Contact::push(Range cells) {
+    for (int i = cells.from; i < cells.to; ++i) {
         const BodyContact& body = bodies_[active_[i].body];
         float* force = body.arrays->force + active_[i].cell;
         for (int s = 0; s < body.spheres; ++s) {
             const int sphere = body.first + s * body.stride + active_[i].cell;
             std::array<float, 3> sum{0, 0, 0};
+            bool pushed = false;
             for (int entry = begin_[sphere]; entry < begin_[sphere + 1]; ++entry) {
                 const int other = partner_[entry] / 2;
+                if (apart(sphere, other)) continue;
                 const bool first = sphere < other;
                 const auto f =
                     pairForce(first ? sphere : other, first ? other : sphere, partner_[entry] & 1);
                 for (int axis = 0; axis < 3; ++axis) sum[axis] += first ? f[axis] : -f[axis];
+                pushed = true;
             }
+            if (!pushed) continue;
             for (int corner = 0; corner < kCorners; ++corner)
                 for (int axis = 0; axis < 3; ++axis)
                     force[(3 * corner + axis) * body.arrays->stride] +=

@@ -45,11 +45,17 @@ class Contact {
     /// Whether an awake cell of another body hit this sleeping one, at the last search.
     bool hit(int body) const { return bodies_[body].hit; }
 
-    /// Each step, for chunks 0 .. chunks() − 1 of the touching cells: follow() while element forces
-    /// are worked out, then push(), which adds to them.
-    int chunks() const;
-    void follow(int chunk);
-    void push(int chunk);
+    /// Awake bodies that have pairs, in groups that have none with each other.
+    const std::vector<std::vector<int>>& islands() const { return islands_; }
+    /// A body's share of the lists that follow() and push() go through.
+    struct Range {
+        int from = 0, to = 0;
+    };
+    Range tilesOf(int body) const { return bodies_[body].tiles; }
+    Range cellsOf(int body) const { return bodies_[body].cells; }
+    /// Each step: follow() while element forces are worked out, then push(), which adds to them.
+    void follow(Range tiles);
+    void push(Range cells);
 
     std::size_t bytes() const;
 
@@ -70,6 +76,8 @@ class Contact {
         bool near = false;                        ///< may have pairs now
         bool inGrid = false, selfInGrid = false;  ///< when candidates were last searched for
         bool touching = false, hit = false;
+        Range tiles, cells;              ///< of tiles_, of active_
+        int island = 0;                  ///< a body of the same island, or itself
         std::array<float, 3> low, high;  ///< m, of its spheres with their reach
         float spread = 0;                ///< m, how different its spheres' displacements are
         struct Loose {
@@ -89,13 +97,18 @@ class Contact {
     };
     struct Pair {
         int a, b;  ///< spheres, a < b
-        bool neighbours, crowds, listed, hitsA, hitsB;
+        bool neighbours, crowds, hitsA, hitsB;
     };
     struct ActiveCell {
         int body, cell;
     };
+    struct ActiveTile {
+        int body, tile;
+    };
 
     void layOut(const World& world);
+    void centreTile(const BodyContact& body, int tile, int sphere);
+    bool apart(int sphere, int other) const;
     void measure(Stretch& stretch);
     void measureTile(const BodyContact& body, int tile, Stretch& stretch);
     void measureBodies(const ForEach& forEach);
@@ -106,6 +119,8 @@ class Contact {
     void pickPairs(const ForEach& forEach);
     void pick(int a, int b, bool neighbours, std::vector<Pair>& pairs) const;
     void listPairs();
+    void listActive();
+    void findIslands();
     std::array<float, 3> pairForce(int a, int b, bool neighbours) const;
     float reachOf(int sphere) const;
 
@@ -130,7 +145,9 @@ class Contact {
     std::vector<std::vector<Pair>> picked_;  ///< by part
     std::vector<int> begin_;                 ///< per sphere: its first entry in partner_
     std::vector<int> partner_;               ///< 2·sphere + (1: lattice neighbours), ascending
-    std::vector<ActiveCell> active_;
+    std::vector<ActiveCell> active_;         ///< cells with partners
+    std::vector<std::vector<int>> islands_;
+    std::vector<ActiveTile> tiles_;  ///< and the tiles that hold some
 };
 
 }  // namespace sunder::cpu

@@ -37,10 +37,12 @@ class CpuSolver : public Solver, public BodyHost {
     struct Runner;
     struct BodyRun;
     void shareOut();
-    /// Advances bodies without contact, each by itself.
-    void advanceAlone(int steps, const std::vector<bool>& leftOut);
-    /// Advances the bodies in contact, all step by step.
-    void advanceTouching(int steps, const std::vector<bool>& touching);
+    /// Advances bodies that touch nothing, each by itself.
+    void advanceAlone(int steps);
+    /// Advances bodies in contact, step by step: each island by one thread, or a large one by all.
+    void advanceTouching(int steps);
+    void advanceIsland(int steps, const std::vector<int>& bodies);
+    void advanceLargeIsland(int steps, const std::vector<int>& bodies);
     void searchContacts(std::int64_t until);
 
     const World& world_;
