@@ -19,6 +19,13 @@ constexpr float kLeewaySearches = 8;
 constexpr float kFold = 2;
 constexpr float kFar = std::numeric_limits<float>::max();
 
+void lower(float& bound, float x) {
+    bound = x < bound ? x : bound;
+}
+void raise(float& bound, float x) {
+    bound = bound < x ? x : bound;
+}
+
 float distance2(const std::array<float, 3>& a) {
     return a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
 }
@@ -70,6 +77,8 @@ void Contact::layOut(const World& world) {
     lawOf_.assign(count, 0);
     there_.assign(count, 0);
     crowd_.assign(count, 0);
+    near_.assign(count, {});
+    lattice_.assign(count, IVec3::Zero());
     begin_.assign(count + 1, 0);
     for (std::size_t index = 0; index < bodies_.size(); ++index) {
         BodyContact& body = bodies_[index];
@@ -94,6 +103,7 @@ void Contact::layOut(const World& world) {
                     rest_[axis][sphere] = static_cast<float>(centre[axis]);
                 lawOf_[sphere] = static_cast<std::uint16_t>(world.lawOf(cell));
                 there_[sphere] = 1;
+                lattice_[sphere] = c;
                 ++present;
             }
         }
@@ -109,13 +119,6 @@ void Contact::layOut(const World& world) {
                                   0,
                                   false});
     }
-}
-
-float Contact::reachOf(int sphere) const {
-    const float radius = laws_[lawOf_[sphere]].radius;
-    const float speed =
-        std::sqrt(distance2({velocity_[0][sphere], velocity_[1][sphere], velocity_[2][sphere]}));
-    return radius + std::max(0.5f * radius, closing_ * speed);
 }
 
 /// Centres and velocities of a tile's spheres of one number.
@@ -138,16 +141,13 @@ void Contact::centreTile(const BodyContact& body, int tile, int sphere) {
     }
 }
 
-/// A tile's spheres, their bounds, and whether one of them has used up
-/// the way that candidates allow it.
-void Contact::measureTile(const BodyContact& body, int tile, Stretch& stretch) {
-    float square[kLanes], way[kLanes];
+/// A tile's spheres, their bounds, and whether one of them has used up the way that candidates
+/// allow it.
+void Contact::measureTile(const BodyContact& body, int tile, Bounds& bounds) {
     for (int s = 0; s < body.spheres; ++s) {
         const int at = body.first + s * body.stride + tile * kLanes;
-        const std::uint8_t* there = there_.data() + at;
-        std::fill_n(square, kLanes, 0.f);
-        std::fill_n(way, kLanes, 0.f);
         centreTile(body, tile, s);
+        float square[kLanes] = {}, way[kLanes] = {}, place[3][kLanes], reach[kLanes];
         for (int axis = 0; axis < 3; ++axis) {
             const float* moved = moved_[axis].data() + at;
             const float* velocity = velocity_[axis].data() + at;
@@ -157,31 +157,38 @@ void Contact::measureTile(const BodyContact& body, int tile, Stretch& stretch) {
                 square[lane] += velocity[lane] * velocity[lane];
                 const float since = moved[lane] - before[lane];
                 way[lane] += since * since;
+                place[axis][lane] = rest[lane] + moved[lane];
             }
-            float low = stretch.low[axis], high = stretch.high[axis];
-            float lowU = stretch.lowU[axis], highU = stretch.highU[axis];
-            for (int lane = 0; lane < kLanes; ++lane) {
-                if (!body.present && !there[lane]) continue;
-                const float x = rest[lane] + moved[lane];
-                low = std::min(low, x);
-                high = std::max(high, x);
-                lowU = std::min(lowU, moved[lane]);
-                highU = std::max(highU, moved[lane]);
-            }
-            stretch.low[axis] = low;
-            stretch.high[axis] = high;
-            stretch.lowU[axis] = lowU;
-            stretch.highU[axis] = highU;
         }
-        const float radius = body.radius;
         const float* allowed = allowed_.data() + at;
+        float used[kLanes];
         for (int lane = 0; lane < kLanes; ++lane) {
-            if (!body.present && !there[lane]) continue;
-            const float reach =
-                radius + std::max(0.5f * radius, closing_ * std::sqrt(square[lane]));
-            stretch.reach = std::max(stretch.reach, reach);
-            const float left = allowed[lane] - reach;
-            stretch.expired |= !(left >= 0 && way[lane] <= left * left);
+            const float closing = closing_ * std::sqrt(square[lane]), half = 0.5f * body.radius;
+            reach[lane] = body.radius + (half < closing ? closing : half);
+            used[lane] = std::sqrt(way[lane]) + reach[lane] - allowed[lane];
+        }
+        for (int lane = 0; lane < kLanes; ++lane)
+            near_[at + lane] = {place[0][lane], place[1][lane], place[2][lane], reach[lane]};
+        for (int lane = 0; lane < kLanes; ++lane) {
+            if (body.present || there_[at + lane]) continue;
+            used[lane] = -1;
+            reach[lane] = 0;
+            for (int axis = 0; axis < 3; ++axis) place[axis][lane] = kFar;
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            const float* moved = moved_[axis].data() + at;
+            for (int lane = 0; lane < kLanes; ++lane) {
+                const float x = place[axis][lane], u = moved[lane];
+                const bool there = x != kFar;
+                lower(bounds.low[axis][lane], there ? x : kFar);
+                raise(bounds.high[axis][lane], there ? x : -kFar);
+                lower(bounds.lowU[axis][lane], there ? u : kFar);
+                raise(bounds.highU[axis][lane], there ? u : -kFar);
+            }
+        }
+        for (int lane = 0; lane < kLanes; ++lane) {
+            raise(bounds.reach[lane], reach[lane]);
+            raise(bounds.used[lane], used[lane]);
         }
     }
 }
@@ -189,11 +196,24 @@ void Contact::measureTile(const BodyContact& body, int tile, Stretch& stretch) {
 void Contact::measure(Stretch& stretch) {
     const BodyContact& body = bodies_[stretch.body];
     if (!body.status.held || body.settled) return;
-    stretch.low = stretch.lowU = {kFar, kFar, kFar};
-    stretch.high = stretch.highU = {-kFar, -kFar, -kFar};
-    stretch.reach = 0;
-    stretch.expired = false;
-    for (int tile = stretch.first; tile < stretch.end; ++tile) measureTile(body, tile, stretch);
+    Bounds bounds;
+    for (int axis = 0; axis < 3; ++axis) {
+        std::fill_n(bounds.low[axis], kLanes, kFar);
+        std::fill_n(bounds.lowU[axis], kLanes, kFar);
+        std::fill_n(bounds.high[axis], kLanes, -kFar);
+        std::fill_n(bounds.highU[axis], kLanes, -kFar);
+    }
+    std::fill_n(bounds.reach, kLanes, 0.f);
+    std::fill_n(bounds.used, kLanes, -1.f);
+    for (int tile = stretch.first; tile < stretch.end; ++tile) measureTile(body, tile, bounds);
+    for (int axis = 0; axis < 3; ++axis) {
+        stretch.low[axis] = *std::min_element(bounds.low[axis], bounds.low[axis] + kLanes);
+        stretch.lowU[axis] = *std::min_element(bounds.lowU[axis], bounds.lowU[axis] + kLanes);
+        stretch.high[axis] = *std::max_element(bounds.high[axis], bounds.high[axis] + kLanes);
+        stretch.highU[axis] = *std::max_element(bounds.highU[axis], bounds.highU[axis] + kLanes);
+    }
+    stretch.reach = *std::max_element(bounds.reach, bounds.reach + kLanes);
+    stretch.expired = *std::max_element(bounds.used, bounds.used + kLanes) > 0;
 }
 
 void Contact::measureBodies(const ForEach& forEach) {
@@ -307,16 +327,15 @@ void Contact::findCandidates(const ForEach& forEach) {
         if (!body.near) continue;
         for (int sphere = body.first; sphere < body.first + body.stride * body.spheres; ++sphere) {
             if (!there_[sphere]) continue;
-            const float reach = reachOf(sphere);
+            const Near& now = near_[sphere];
             float speed2 = 0;
             for (int axis = 0; axis < 3; ++axis) {
                 before_[axis][sphere] = moved_[axis][sphere];
                 speed2 += velocity_[axis][sphere] * velocity_[axis][sphere];
             }
             const float leeway = kLeewaySearches * kContactInterval * step_ * std::sqrt(speed2);
-            allowed_[sphere] = reach + std::max(kLeeway * body.radius, leeway);
-            grid_.add({rest_[0][sphere] + moved_[0][sphere], rest_[1][sphere] + moved_[1][sphere],
-                       rest_[2][sphere] + moved_[2][sphere], allowed_[sphere], sphere});
+            allowed_[sphere] = now.reach + std::max(kLeeway * body.radius, leeway);
+            grid_.add({now.x, now.y, now.z, allowed_[sphere], sphere});
         }
     }
     for (Stretch& stretch : stretches_) stretch.expired = false;
@@ -326,16 +345,8 @@ void Contact::findCandidates(const ForEach& forEach) {
         if (bodyOf_[a] != bodyOf_[b]) return true;
         const BodyContact& body = bodies_[bodyOf_[a]];
         if (!body.self || cellOf_[a] == cellOf_[b]) return false;
-        const BodyArrays& arrays = *body.arrays;
         // Lattice neighbours have a list of their own.
-        const auto coordinates = [&](int sphere) {
-            const int cell = cellOf_[sphere] - body.first;
-            const bool zSlowest = arrays.steps[2] > arrays.steps[1];
-            const int slow = std::max(arrays.steps[1], arrays.steps[2]);
-            const int middle = zSlowest ? arrays.steps[1] : arrays.steps[2];
-            return std::array<int, 3>{cell % middle, cell % slow / middle, cell / slow};
-        };
-        const auto p = coordinates(a), q = coordinates(b);
+        const IVec3 &p = lattice_[a], &q = lattice_[b];
         return std::abs(p[0] - q[0]) > 1 || std::abs(p[1] - q[1]) > 1 || std::abs(p[2] - q[2]) > 1;
     };
     forEach(parts, [&](int part) { grid_.find(part, wanted, found[part]); });
@@ -345,6 +356,10 @@ void Contact::findCandidates(const ForEach& forEach) {
 
 /// Takes the pair if its spheres' gap is less than contactMargin().
 void Contact::pick(int a, int b, bool neighbours, std::vector<Pair>& pairs) const {
+    // Rounding of places is far below a thousandth of the radii that reaches consist of.
+    const Near &p = near_[a], &q = near_[b];
+    const float x = p.x - q.x, y = p.y - q.y, z = p.z - q.z, r = 1.001f * (p.reach + q.reach);
+    if (x * x + y * y + z * z > r * r) return;
     if (a > b) std::swap(a, b);
     const BodyContact &bodyA = bodies_[bodyOf_[a]], &bodyB = bodies_[bodyOf_[b]];
     if (!bodyA.status.awake && !bodyB.status.awake) return;

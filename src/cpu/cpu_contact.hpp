@@ -95,6 +95,16 @@ class Contact {
         float reach;
         bool expired;
     };
+    /// The same, lane by lane.
+    struct Bounds {
+        float low[3][kLanes], high[3][kLanes], lowU[3][kLanes], highU[3][kLanes];
+        float reach[kLanes];
+        float used[kLanes];  ///< m, of the way allowed for; positive: all and more
+    };
+    /// Place and reach at the last search, for a first look.
+    struct Near {
+        float x = 0, y = 0, z = 0, reach = 0;
+    };
     struct Pair {
         int a, b;  ///< spheres, a < b
         bool neighbours, crowds, hitsA, hitsB;
@@ -110,7 +120,7 @@ class Contact {
     void centreTile(const BodyContact& body, int tile, int sphere);
     bool apart(int sphere, int other) const;
     void measure(Stretch& stretch);
-    void measureTile(const BodyContact& body, int tile, Stretch& stretch);
+    void measureTile(const BodyContact& body, int tile, Bounds& bounds);
     void measureBodies(const ForEach& forEach);
     void findLoose(BodyContact& body) const;
     void findNear();
@@ -122,7 +132,6 @@ class Contact {
     void listActive();
     void findIslands();
     std::array<float, 3> pairForce(int a, int b, bool neighbours) const;
-    float reachOf(int sphere) const;
 
     std::vector<BodyContact> bodies_;
     std::vector<CellLaw> laws_;
@@ -137,7 +146,9 @@ class Contact {
     std::vector<int> bodyOf_, cellOf_;  ///< cellOf_: number of the cell's first sphere
     std::vector<std::uint16_t> lawOf_;
     std::vector<std::uint8_t> there_;  ///< its cell is present
-    std::vector<int> crowd_;           ///< N, at the cell's first sphere
+    std::vector<Near> near_;
+    std::vector<IVec3> lattice_;  ///< its cell's coordinates
+    std::vector<int> crowd_;      ///< N, at the cell's first sphere
 
     std::vector<Stretch> stretches_;
     ContactGrid grid_;
