@@ -14,6 +14,10 @@ namespace sunder::cpu {
 /// Calls work(0) .. work(count − 1), in any order and in as many threads as it likes.
 using ForEach = std::function<void(int count, const std::function<void(int)>& work)>;
 
+inline float distance2(const std::array<float, 3>& a) {
+    return a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+}
+
 /// Contact between the cells of all bodies (core/contact.hpp).
 ///
 /// A search has two stages. The list of *candidates*, spheres that may come near each other within
