@@ -110,16 +110,21 @@ void Contest::prepare(Lane& lane, const State& start) const {
         while (watch.seconds() < kGpuWarmUp) timedRun(lane, scene_.substeps);
         lane.solver->setState(start);
     }
-    if (auto* shared = dynamic_cast<BalancedSolver*>(lane.solver.get());
-        shared && !shared->settled()) {
-        const Stopwatch watch;
-        while (!shared->settled() && watch.seconds() < limits_.secondsPerCell)
-            timedRun(lane, fewestSteps(scene_.world));
-        lane.solver->setState(start);
-    }
+    settle(lane, start);
     const int lead = leadSteps(start);
     if (lead > 0 && lead * lane.stepSeconds < limits_.secondsPerRun) lane.solver->advance(lead);
     lane.solver->finish();
+}
+
+void Contest::settle(Lane& lane, const State& start) const {
+    const auto* shared = dynamic_cast<const BalancedSolver*>(lane.solver.get());
+    if (!shared) return;
+    const Stopwatch watch;
+    // Again and again from the start: what comes to rest and sleeps is no load.
+    while (!shared->settled() && watch.seconds() < limits_.secondsPerCell) {
+        timedRun(lane, scene_.substeps);
+        lane.solver->setState(start);
+    }
 }
 
 double Contest::timedRun(Lane& lane, int steps) const {

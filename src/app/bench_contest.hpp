@@ -62,6 +62,8 @@ class Contest {
     void probe(Lane&, const State& start);
     int stepsPerRun(const Lane&) const;
     void prepare(Lane&, const State& start) const;
+    /// Lets a solver that shares bodies out find its shares.
+    void settle(Lane&, const State& start) const;
     double timedRun(Lane&, int steps) const;
     int leadSteps(const State& start) const;
 

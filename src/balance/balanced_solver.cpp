@@ -1,6 +1,7 @@
 #include "balance/balanced_solver.hpp"
 
 #include <chrono>
+#include <numeric>
 
 namespace sunder {
 namespace {
@@ -19,8 +20,9 @@ BalancedSolver::BalancedSolver(const World& world, const gpu::WorldBuffers& buff
       cpu_(world, threads),
       balancer_(cellCounts(world)),
       scratch_(world.initialState()) {
-    for (int body = 0; body < static_cast<int>(world.bodies().size()); ++body)
-        gather_.release(body, scratch_);
+    std::vector<int> all(world.bodies().size());
+    std::iota(all.begin(), all.end(), 0);
+    gather_.release(all, scratch_);
 }
 
 void BalancedSolver::advance(int steps) {
@@ -41,15 +43,16 @@ void BalancedSolver::advance(int steps) {
 }
 
 void BalancedSolver::moveBodies() {
-    for (int body = 0; body < static_cast<int>(world_.bodies().size()); ++body) {
-        if (balancer_.onGpu(body) == onGpu(body)) continue;
-        if (onGpu(body)) {
-            gather_.release(body, scratch_);
-            cpu_.adopt(body, scratch_);
-        } else {
-            cpu_.release(body, scratch_);
-            gather_.adopt(body, scratch_);
-        }
+    std::vector<int> toGpu, toCpu;
+    for (int body = 0; body < static_cast<int>(world_.bodies().size()); ++body)
+        if (balancer_.onGpu(body) != onGpu(body)) (onGpu(body) ? toCpu : toGpu).push_back(body);
+    if (!toCpu.empty()) {
+        gather_.release(toCpu, scratch_);
+        cpu_.adopt(toCpu, scratch_);
+    }
+    if (!toGpu.empty()) {
+        cpu_.release(toGpu, scratch_);
+        gather_.adopt(toGpu, scratch_);
     }
 }
 

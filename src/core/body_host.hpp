@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "core/world.hpp"
 
 namespace sunder {
@@ -8,12 +10,12 @@ namespace sunder {
 class BodyHost {
   public:
     virtual ~BodyHost() = default;
-    /// Takes over a body that it does not hold, with its part of `state`, to the bit. The body is
-    /// awake. `state.step` must be this solver's step.
-    virtual void adopt(int body, const State& state) = 0;
-    /// Puts a body that it holds into its part of `state`, to the bit, and no longer advances it.
-    /// Waits for the GPU.
-    virtual void release(int body, State& state) = 0;
+    /// Takes over bodies that it does not hold, with their parts of `state`, to the bit. They are
+    /// awake. `bodies` ascend; `state.step` must be this solver's step.
+    virtual void adopt(const std::vector<int>& bodies, const State& state) = 0;
+    /// Puts bodies that it holds into their parts of `state`, to the bit, and no longer advances
+    /// them. Waits for the GPU.
+    virtual void release(const std::vector<int>& bodies, State& state) = 0;
     virtual bool holds(int body) const = 0;
 };
 

@@ -268,15 +268,19 @@ void CpuSolver::setState(const State& state) {
     if (runner_->contact) runner_->contact->forget();
 }
 
-void CpuSolver::adopt(int body, const State& state) {
-    bodies_[body]->load(state);
-    bodies_[body]->held = true;
+void CpuSolver::adopt(const std::vector<int>& bodies, const State& state) {
+    for (const int body : bodies) {
+        bodies_[body]->load(state);
+        bodies_[body]->held = true;
+    }
     shareOut();
 }
 
-void CpuSolver::release(int body, State& state) {
-    bodies_[body]->store(state);
-    bodies_[body]->held = false;
+void CpuSolver::release(const std::vector<int>& bodies, State& state) {
+    for (const int body : bodies) {
+        bodies_[body]->store(state);
+        bodies_[body]->held = false;
+    }
     shareOut();
 }
 

@@ -23,8 +23,8 @@ class CpuSolver : public Solver, public BodyHost {
     void setState(const State& state) override;
     bool asleep(int body) const override;
 
-    void adopt(int body, const State& state) override;
-    void release(int body, State& state) override;
+    void adopt(const std::vector<int>& bodies, const State& state) override;
+    void release(const std::vector<int>& bodies, State& state) override;
     bool holds(int body) const override;
     /// Puts a body that it holds into its part of `state`.
     void store(int body, State& state) const;

@@ -116,20 +116,23 @@ void GatherSolver::setState(const State& state) {
     updateLinks();
 }
 
-void GatherSolver::adopt(int body, const State& state) {
-    write(cellsOf(world_, body), state);
-    bodies_[body] = BodyState::Awake;
-    monitor_.disturb(body, step_);
+void GatherSolver::adopt(const std::vector<int>& bodies, const State& state) {
+    const std::vector<TexelRange> cells = rangesOf(world_, bodies);
+    for (const TexelRange& range : cells) write(range, state);
+    for (const int body : bodies) {
+        bodies_[body] = BodyState::Awake;
+        monitor_.disturb(body, step_);
+    }
     bodiesChanged();
-    TexelRanges own(1, "adopted cells");
-    own.set(std::array{cellsOf(world_, body)}, columns_);
+    TexelRanges adopted(cells.size(), "adopted cells");
+    adopted.set(cells, columns_);
     bindInputs();
-    links_.fill(linkProgram_, own);
+    links_.fill(linkProgram_, adopted);
 }
 
-void GatherSolver::release(int body, State& state) {
-    read(cellsOf(world_, body), state);
-    bodies_[body] = BodyState::Elsewhere;
+void GatherSolver::release(const std::vector<int>& bodies, State& state) {
+    for (const TexelRange& range : rangesOf(world_, bodies)) read(range, state);
+    for (const int body : bodies) bodies_[body] = BodyState::Elsewhere;
     bodiesChanged();
 }
 

@@ -37,8 +37,8 @@ class GatherSolver : public GpuSolver, public BodyHost {
     bool asleep(int body) const override { return bodies_[body] == BodyState::Asleep; }
     StateView view() override;
 
-    void adopt(int body, const State& state) override;
-    void release(int body, State& state) override;
+    void adopt(const std::vector<int>& bodies, const State& state) override;
+    void release(const std::vector<int>& bodies, State& state) override;
     bool holds(int body) const override { return bodies_[body] != BodyState::Elsewhere; }
     /// Where a body that another solver holds is to be drawn.
     void show(int body, const State& state);

@@ -1,6 +1,8 @@
 // `auto`: bodies move between `cpu` and `gather` with their state intact.
 #include "balance/balanced_solver.hpp"
 
+#include <numeric>
+
 #include "catch.hpp"
 #include "core/diagnostics.hpp"
 #include "gpu/test_context.hpp"
@@ -40,7 +42,9 @@ void checkRoundTrip(const World& world, Solver& first, Solver& second, Solver& s
     auto &host = dynamic_cast<BodyHost&>(first), &other = dynamic_cast<BodyHost&>(second);
     State scratch = world.initialState();
     const int bodies = static_cast<int>(world.bodies().size());
-    for (int body = 0; body < bodies; ++body) other.release(body, scratch);
+    std::vector<int> all(world.bodies().size());
+    std::iota(all.begin(), all.end(), 0);
+    other.release(all, scratch);
     int broken = 0;
     for (int round = 0; round < 6; ++round) {
         first.advance(17);  // now and then between two fracture updates
@@ -52,14 +56,14 @@ void checkRoundTrip(const World& world, Solver& first, Solver& second, Solver& s
         broken = diagnostics.bondsBroken;
         const int body = round % bodies;
         scratch.step = before.step;
-        host.release(body, scratch);
+        host.release({body}, scratch);
         CHECK(!host.holds(body));
-        other.adopt(body, scratch);
+        other.adopt({body}, scratch);
         CHECK(other.holds(body));
         scratch = world.initialState();
         scratch.step = before.step;
-        other.release(body, scratch);
-        host.adopt(body, scratch);
+        other.release({body}, scratch);
+        host.adopt({body}, scratch);
         checkSame(first.state(), before);
     }
     checkSame(first.state(), stays.state());
@@ -93,8 +97,8 @@ TEST_CASE("a solver leaves a body it does not hold alone") {
     CpuSolver cpu(world);
     gpu::GatherSolver gather(world, buffers);
     State fromCpu = world.initialState(), fromGather = fromCpu;
-    for (const int body : {0, 2}) gather.release(body, fromGather);
-    cpu.release(1, fromCpu);
+    gather.release({0, 2}, fromGather);
+    cpu.release({1}, fromCpu);
     cpu.advance(60);
     gather.advance(60);
     const State parts[] = {cpu.state(), gather.state(), cpu.state()};
