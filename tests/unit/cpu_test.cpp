@@ -93,13 +93,13 @@ TEST_CASE("bodies released and adopted again go on, in contact with those held")
     CpuSolver solver(world, 2), other(world, 2);
     for (CpuSolver* each : {&solver, &other}) each->advance(102);
     State state = solver.state();
-    solver.release(2, state);
-    solver.adopt(2, state);
+    solver.release({2}, state);
+    solver.adopt({2}, state);
     other.setState(state);
     solver.advance(30);
     other.advance(30);
     CHECK(stateHash(solver.state()) == stateHash(other.state()));
-    solver.release(0, state);
+    solver.release({0}, state);
     solver.advance(30);
     CHECK(!solver.holds(0));
     CHECK(diagnose(world, solver.state()).nan == 0);
