@@ -8,7 +8,8 @@ namespace sunder {
 /// thousandth of an edge per 1/60 s), no event at work, no damage growing. (Half a second at such
 /// speeds bounds the mean acceleration, too, at 4·kSleepSpeed edges/s²; a body that starts to fall
 /// is past the limit within milliseconds.) Its velocities become zero, and from then on it does not
-/// change by a bit and costs nothing, until an event on it or Solver::setState() wakes it.
+/// change by a bit and costs nothing, until an event on it, a cell of another body that hits it or
+/// Solver::setState() wakes it.
 inline constexpr double kSleepSpeed = 0.06;  ///< cell edges/s
 inline constexpr double kSleepDelay = 0.5;   ///< s
 

@@ -10,7 +10,7 @@ namespace sunder {
 /// What a game would ship: several cells at once on every core, single precision. Bodies are shared
 /// out to the cores whole where there are enough of them; a large one is split into stretches of
 /// cells. The result does not depend on the number of cores or the width of their vectors.
-/// Bodies at rest sleep (core/sleep.hpp).
+/// Bodies at rest sleep (core/sleep.hpp). Bodies that it does not hold are in contact with nothing.
 class CpuSolver : public Solver, public BodyHost {
   public:
     /// `world` must outlive the solver. threads: 0 for one per core.
