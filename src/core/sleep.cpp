@@ -10,6 +10,10 @@ double calmSpeed(const Body& body) {
     return kSleepSpeed * body.cellSize.minCoeff();
 }
 
+double creepSpeed(const Body& body) {
+    return kCreepSpeed * body.cellSize.minCoeff();
+}
+
 int sleepSteps(const World& world) {
     return static_cast<int>(std::ceil(kSleepDelay / world.step()));
 }

@@ -24,6 +24,7 @@ BodyRun::BodyRun(const World& world, int index, const std::vector<Law>& laws)
     pushes_.reserve(patches_.size());
     reach_ = (a.reach + kLanes - 1) / kLanes;
     calmSpeed2_ = static_cast<float>(calmSpeed(body) * calmSpeed(body));
+    creepSpeed2_ = static_cast<float>(creepSpeed(body) * creepSpeed(body));
     sleepSteps_ = sunder::sleepSteps(world);
 }
 
@@ -61,9 +62,10 @@ void BodyRun::breakBonds(int first, int end, int part) {
 void BodyRun::endStep() {
     if (!check_) return;
     bool broke = false, calm = pushes_.empty();
+    const float limit = touching_ ? creepSpeed2_ : calmSpeed2_;
     for (PartNews& news : news_) {
         broke |= news.bonds.broke;
-        calm &= !news.bonds.damaged && news.fastest < calmSpeed2_;
+        calm &= !news.bonds.damaged && news.fastest < limit;
         news = {};
     }
     if (broke) {
@@ -150,7 +152,7 @@ void BodyRun::load(const State& state) {
     }
     relinkAll(world_, a);
     ++relinks_;
-    asleep_ = false;
+    asleep_ = touching_ = false;
     calmSteps_ = 0;
 }
 

@@ -34,6 +34,8 @@ class BodyRun {
         asleep_ = false;
         calmSteps_ = 0;
     }
+    /// Whether the body may touch something: what a calm body is depends on it.
+    void setTouching(bool touching) { touching_ = touching; }
     /// Changes when link masks did.
     std::uint32_t relinks() const { return relinks_; }
     int cells() const { return storage_.arrays().cells; }
@@ -68,10 +70,10 @@ class BodyRun {
     std::vector<Patch> patches_;
     std::vector<Push> pushes_;  ///< at work in this step
     std::vector<PartNews> news_;
-    int reach_ = 0;         ///< vectors on either side of one that its nodes' neighbours may lie in
-    float calmSpeed2_ = 0;  ///< m²/s²
+    int reach_ = 0;  ///< vectors on either side of one that its nodes' neighbours may lie in
+    float calmSpeed2_ = 0, creepSpeed2_ = 0;  ///< m²/s²
     int calmSteps_ = 0, sleepSteps_ = 0;
-    bool asleep_ = false;
+    bool asleep_ = false, touching_ = false;
     bool check_ = false, fracture_ = false;  ///< what the step in progress has
     std::uint32_t relinks_ = 0;
 };

@@ -2,27 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
-#include "core/sleep.hpp"
 
 namespace sunder::cpu {
 namespace {
 
 constexpr int kTilesPerStretch = 32;
-constexpr int kCandidatesPerPart = 4096;
-constexpr int kCellsPerChunk = 64;
-/// What a sphere may move, in radii, or in searches at its speed, before candidates are renewed.
-constexpr float kLeeway = 0.4f;
-constexpr float kLeewaySearches = 8;
-/// Cells of an intact body two or more apart touch only after their displacements differ by as much
-/// as lies between them; below this many edges nothing short of crushed cells comes near that.
-constexpr float kFold = 2;
-constexpr float kFar = std::numeric_limits<float>::max();
-
-float distance2(const std::array<float, 3>& a) {
-    return a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
-}
 
 }  // namespace
 
@@ -71,6 +55,8 @@ void Contact::layOut(const World& world) {
     lawOf_.assign(count, 0);
     there_.assign(count, 0);
     crowd_.assign(count, 0);
+    near_.assign(count, {});
+    lattice_.assign(count, IVec3::Zero());
     begin_.assign(count + 1, 0);
     for (std::size_t index = 0; index < bodies_.size(); ++index) {
         BodyContact& body = bodies_[index];
@@ -95,6 +81,7 @@ void Contact::layOut(const World& world) {
                     rest_[axis][sphere] = static_cast<float>(centre[axis]);
                 lawOf_[sphere] = static_cast<std::uint16_t>(world.lawOf(cell));
                 there_[sphere] = 1;
+                lattice_[sphere] = c;
                 ++present;
             }
         }
@@ -110,347 +97,6 @@ void Contact::layOut(const World& world) {
                                   0,
                                   false});
     }
-}
-
-float Contact::reachOf(int sphere) const {
-    const float radius = laws_[lawOf_[sphere]].radius;
-    const float speed =
-        std::sqrt(distance2({velocity_[0][sphere], velocity_[1][sphere], velocity_[2][sphere]}));
-    return radius + std::max(0.5f * radius, closing_ * speed);
-}
-
-/// Centres and velocities of a tile's spheres, their bounds, and whether one of them has used up
-/// the way that candidates allow it.
-void Contact::measureTile(const BodyContact& body, int tile, Stretch& stretch) {
-    float square[kLanes], way[kLanes];
-    for (int s = 0; s < body.spheres; ++s) {
-        const int at = body.first + s * body.stride + tile * kLanes;
-        const std::uint8_t* there = there_.data() + at;
-        std::fill_n(square, kLanes, 0.f);
-        std::fill_n(way, kLanes, 0.f);
-        for (int axis = 0; axis < 3; ++axis) {
-            const std::ptrdiff_t tiles = tiled(kNodeComponents, axis, tile * kLanes);
-            const float* u = body.arrays->displacement + tiles;
-            const float* v = body.arrays->velocity + tiles;
-            float sumU[kLanes] = {}, sumV[kLanes] = {};
-            for (int corner = 0; corner < kCorners; ++corner) {
-                const float weight = body.weight[s][corner];
-                for (int lane = 0; lane < kLanes; ++lane) {
-                    sumU[lane] += weight * u[3 * corner * kLanes + lane];
-                    sumV[lane] += weight * v[3 * corner * kLanes + lane];
-                }
-            }
-            float* moved = moved_[axis].data() + at;
-            float* velocity = velocity_[axis].data() + at;
-            const float* before = before_[axis].data() + at;
-            const float* rest = rest_[axis].data() + at;
-            for (int lane = 0; lane < kLanes; ++lane) {
-                moved[lane] = sumU[lane];
-                velocity[lane] = sumV[lane];
-                square[lane] += sumV[lane] * sumV[lane];
-                const float since = sumU[lane] - before[lane];
-                way[lane] += since * since;
-            }
-            float low = stretch.low[axis], high = stretch.high[axis];
-            float lowU = stretch.lowU[axis], highU = stretch.highU[axis];
-            for (int lane = 0; lane < kLanes; ++lane) {
-                if (!body.present && !there[lane]) continue;
-                const float x = rest[lane] + sumU[lane];
-                low = std::min(low, x);
-                high = std::max(high, x);
-                lowU = std::min(lowU, sumU[lane]);
-                highU = std::max(highU, sumU[lane]);
-            }
-            stretch.low[axis] = low;
-            stretch.high[axis] = high;
-            stretch.lowU[axis] = lowU;
-            stretch.highU[axis] = highU;
-        }
-        const float radius = body.radius;
-        const float* allowed = allowed_.data() + at;
-        for (int lane = 0; lane < kLanes; ++lane) {
-            if (!body.present && !there[lane]) continue;
-            const float reach =
-                radius + std::max(0.5f * radius, closing_ * std::sqrt(square[lane]));
-            stretch.reach = std::max(stretch.reach, reach);
-            const float left = allowed[lane] - reach;
-            stretch.expired |= !(left >= 0 && way[lane] <= left * left);
-        }
-    }
-}
-
-void Contact::measure(Stretch& stretch) {
-    const BodyContact& body = bodies_[stretch.body];
-    if (!body.status.held || body.settled) return;
-    stretch.low = stretch.lowU = {kFar, kFar, kFar};
-    stretch.high = stretch.highU = {-kFar, -kFar, -kFar};
-    stretch.reach = 0;
-    stretch.expired = false;
-    for (int tile = stretch.first; tile < stretch.end; ++tile) measureTile(body, tile, stretch);
-}
-
-void Contact::measureBodies(const ForEach& forEach) {
-    forEach(static_cast<int>(stretches_.size()), [&](int i) { measure(stretches_[i]); });
-    for (std::size_t i = 0; i < stretches_.size();) {
-        BodyContact& body = bodies_[stretches_[i].body];
-        std::array<float, 3> lowU = stretches_[i].lowU, highU = stretches_[i].highU;
-        body.low = stretches_[i].low;
-        body.high = stretches_[i].high;
-        float reach = 0;
-        const int index = stretches_[i].body;
-        for (; i < stretches_.size() && stretches_[i].body == index; ++i) {
-            const Stretch& part = stretches_[i];
-            reach = std::max(reach, part.reach);
-            for (int axis = 0; axis < 3; ++axis) {
-                body.low[axis] = std::min(body.low[axis], part.low[axis]);
-                body.high[axis] = std::max(body.high[axis], part.high[axis]);
-                lowU[axis] = std::min(lowU[axis], part.lowU[axis]);
-                highU[axis] = std::max(highU[axis], part.highU[axis]);
-            }
-        }
-        for (int axis = 0; axis < 3; ++axis) {
-            body.low[axis] -= reach;
-            body.high[axis] += reach;
-        }
-        body.spread =
-            std::sqrt(distance2({highU[0] - lowU[0], highU[1] - lowU[1], highU[2] - lowU[2]}));
-        body.settled = !body.status.awake;
-    }
-}
-
-/// Lattice neighbours that share no joined node. Each pair once: the second cell comes later.
-void Contact::findLoose(BodyContact& body) const {
-    const BodyArrays& a = *body.arrays;
-    body.loose.clear();
-    const auto octantOf = [](int corner, const int* apart) {
-        int octant = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            const int side = (~corner >> axis & 1) + apart[axis];
-            if (side < 0 || side > 1) return -1;
-            octant |= side << axis;
-        }
-        return octant;
-    };
-    for (int n = 14; n < 27; ++n) {
-        const int apart[3] = {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
-        int corners[4], bits[4], count = 0;
-        for (int corner = 0; corner < kCorners; ++corner)
-            if (const int octant = octantOf(corner, apart); octant >= 0) {
-                corners[count] = corner;
-                bits[count++] = octant;
-            }
-        const int offset = a.place(apart[0], apart[1], apart[2]);
-        for (int z = 0; z + apart[2] < a.extent[2]; ++z)
-            for (int y = std::max(0, -apart[1]); y < a.extent[1] - std::max(0, apart[1]); ++y)
-                for (int x = std::max(0, -apart[0]); x < a.extent[0] - std::max(0, apart[0]); ++x) {
-                    const int cell = a.place(x, y, z);
-                    if (!there_[body.first + cell] || !there_[body.first + cell + offset]) continue;
-                    bool joined = false;
-                    for (int i = 0; i < count; ++i)
-                        joined |= a.links[tiled(kCorners, corners[i], cell)] >> bits[i] & 1;
-                    if (!joined) body.loose.push_back({cell, cell + offset});
-                }
-    }
-    body.broken = !body.loose.empty();
-}
-
-/// Which bodies may have pairs now: those whose own cells may touch, and those near another one; at
-/// least one of the two is awake.
-void Contact::findNear() {
-    std::vector<int> order;
-    for (int i = 0; i < static_cast<int>(bodies_.size()); ++i) {
-        BodyContact& body = bodies_[i];
-        body.self = body.status.held && body.status.awake &&
-                    (body.broken || !(body.spread < kFold * body.edge));
-        body.near = body.self;
-        if (body.status.held) order.push_back(i);
-    }
-    std::sort(order.begin(), order.end(), [&](int a, int b) {
-        return std::pair(bodies_[a].low[0], a) < std::pair(bodies_[b].low[0], b);
-    });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        BodyContact& a = bodies_[order[i]];
-        for (std::size_t j = i + 1; j < order.size(); ++j) {
-            BodyContact& b = bodies_[order[j]];
-            if (b.low[0] > a.high[0]) break;
-            if (a.near && b.near) continue;
-            if (!a.status.awake && !b.status.awake) continue;
-            if (a.low[1] > b.high[1] || b.low[1] > a.high[1] || a.low[2] > b.high[2] ||
-                b.low[2] > a.high[2])
-                continue;
-            a.near = b.near = true;
-        }
-    }
-}
-
-/// Whether the list of candidates still has every pair that may be near.
-bool Contact::candidatesHold() const {
-    for (const BodyContact& body : bodies_)
-        if ((body.near && !body.inGrid) || (body.self && !body.selfInGrid)) return false;
-    for (const Stretch& stretch : stretches_)
-        if (bodies_[stretch.body].near && stretch.expired) return false;
-    return true;
-}
-
-void Contact::findCandidates(const ForEach& forEach) {
-    grid_.clear();
-    for (BodyContact& body : bodies_) {
-        body.inGrid = body.near;
-        body.selfInGrid = body.self;
-        if (!body.near) continue;
-        for (int sphere = body.first; sphere < body.first + body.stride * body.spheres; ++sphere) {
-            if (!there_[sphere]) continue;
-            const float reach = reachOf(sphere);
-            float speed2 = 0;
-            for (int axis = 0; axis < 3; ++axis) {
-                before_[axis][sphere] = moved_[axis][sphere];
-                speed2 += velocity_[axis][sphere] * velocity_[axis][sphere];
-            }
-            const float leeway = kLeewaySearches * kContactInterval * step_ * std::sqrt(speed2);
-            allowed_[sphere] = reach + std::max(kLeeway * body.radius, leeway);
-            grid_.add({rest_[0][sphere] + moved_[0][sphere], rest_[1][sphere] + moved_[1][sphere],
-                       rest_[2][sphere] + moved_[2][sphere], allowed_[sphere], sphere});
-        }
-    }
-    for (Stretch& stretch : stretches_) stretch.expired = false;
-    const int parts = grid_.prepare();
-    std::vector<std::vector<ContactGrid::Candidate>> found(static_cast<std::size_t>(parts));
-    const auto wanted = [&](int a, int b) {
-        if (bodyOf_[a] != bodyOf_[b]) return true;
-        const BodyContact& body = bodies_[bodyOf_[a]];
-        if (!body.self || cellOf_[a] == cellOf_[b]) return false;
-        const BodyArrays& arrays = *body.arrays;
-        // Lattice neighbours have a list of their own.
-        const auto coordinates = [&](int sphere) {
-            const int cell = cellOf_[sphere] - body.first;
-            const bool zSlowest = arrays.steps[2] > arrays.steps[1];
-            const int slow = std::max(arrays.steps[1], arrays.steps[2]);
-            const int middle = zSlowest ? arrays.steps[1] : arrays.steps[2];
-            return std::array<int, 3>{cell % middle, cell % slow / middle, cell / slow};
-        };
-        const auto p = coordinates(a), q = coordinates(b);
-        return std::abs(p[0] - q[0]) > 1 || std::abs(p[1] - q[1]) > 1 || std::abs(p[2] - q[2]) > 1;
-    };
-    forEach(parts, [&](int part) { grid_.find(part, wanted, found[part]); });
-    candidates_.clear();
-    for (const auto& part : found) candidates_.insert(candidates_.end(), part.begin(), part.end());
-}
-
-/// Takes the pair if its spheres' gap is less than contactMargin().
-void Contact::pick(int a, int b, bool neighbours, std::vector<Pair>& pairs) const {
-    if (a > b) std::swap(a, b);
-    const BodyContact &bodyA = bodies_[bodyOf_[a]], &bodyB = bodies_[bodyOf_[b]];
-    if (!bodyA.status.awake && !bodyB.status.awake) return;
-    std::array<float, 3> apart, closing;
-    for (int axis = 0; axis < 3; ++axis) {
-        apart[axis] = (rest_[axis][a] - rest_[axis][b]) + (moved_[axis][a] - moved_[axis][b]);
-        closing[axis] = velocity_[axis][a] - velocity_[axis][b];
-    }
-    const float ra = laws_[lawOf_[a]].radius, rb = laws_[lawOf_[b]].radius, touch = ra + rb;
-    const float margin = std::max(0.5f * touch, closing_ * std::sqrt(distance2(closing)));
-    const float far2 = distance2(apart);
-    if (!(far2 < (touch + margin) * (touch + margin))) return;
-    const float crowded = touch + static_cast<float>(kCrowdGap) * std::min(ra, rb);
-    Pair pair{a, b, neighbours, far2 < crowded * crowded, true, false, false};
-    if (far2 < touch * touch && bodyOf_[a] != bodyOf_[b]) {
-        const auto fast = [&](int sphere, const BodyContact& body) {
-            const float calm = static_cast<float>(kSleepSpeed) * body.edge;
-            return distance2({velocity_[0][sphere], velocity_[1][sphere], velocity_[2][sphere]}) >
-                   calm * calm;
-        };
-        pair.hitsA = !bodyA.status.awake && fast(b, bodyB);
-        pair.hitsB = !bodyB.status.awake && fast(a, bodyA);
-    }
-    pairs.push_back(pair);
-}
-
-void Contact::pickPairs(const ForEach& forEach) {
-    struct Part {
-        const BodyContact* body;  ///< loose neighbours of a body, or candidates
-        std::size_t from, to;
-    };
-    std::vector<Part> parts;
-    const auto cut = [&](const BodyContact* body, std::size_t count) {
-        for (std::size_t from = 0; from < count; from += kCandidatesPerPart)
-            parts.push_back({body, from, std::min(count, from + kCandidatesPerPart)});
-    };
-    for (const BodyContact& body : bodies_)
-        if (body.self) cut(&body, body.loose.size());
-    cut(nullptr, candidates_.size());
-    picked_.resize(parts.size());
-    forEach(static_cast<int>(parts.size()), [&](int index) {
-        const Part& part = parts[index];
-        std::vector<Pair>& pairs = picked_[index];
-        pairs.clear();
-        for (std::size_t i = part.from; i < part.to; ++i) {
-            if (!part.body) {
-                pick(candidates_[i].a, candidates_[i].b, false, pairs);
-                continue;
-            }
-            const BodyContact& body = *part.body;
-            const auto [a, b] = body.loose[i];
-            for (int s = 0; s < body.spheres; ++s)
-                for (int t = 0; t < body.spheres; ++t)
-                    pick(body.first + s * body.stride + a, body.first + t * body.stride + b, true,
-                         pairs);
-        }
-    });
-}
-
-/// Counts crowds, and gives every sphere of an awake body its partners, in ascending order.
-void Contact::listPairs() {
-    std::fill(crowd_.begin(), crowd_.end(), 0);
-    std::fill(begin_.begin(), begin_.end(), 0);
-    for (BodyContact& body : bodies_) body.touching = body.hit = false;
-    const auto awake = [&](int sphere) { return bodies_[bodyOf_[sphere]].status.awake; };
-    for (const auto& pairs : picked_)
-        for (const Pair& pair : pairs) {
-            crowd_[cellOf_[pair.a]] += pair.crowds;
-            crowd_[cellOf_[pair.b]] += pair.crowds;
-            begin_[pair.a + 1] += awake(pair.a);
-            begin_[pair.b + 1] += awake(pair.b);
-            bodies_[bodyOf_[pair.a]].hit |= pair.hitsA;
-            bodies_[bodyOf_[pair.b]].hit |= pair.hitsB;
-        }
-    active_.clear();
-    for (std::size_t index = 0; index < bodies_.size(); ++index) {
-        BodyContact& body = bodies_[index];
-        for (int cell = 0; cell < body.stride; ++cell) {
-            int entries = 0;
-            for (int s = 0; s < body.spheres; ++s)
-                entries += begin_[body.first + s * body.stride + cell + 1];
-            if (entries == 0) continue;
-            active_.push_back({static_cast<int>(index), cell});
-            body.touching = true;
-        }
-    }
-    for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-    partner_.resize(static_cast<std::size_t>(begin_.back()));
-    // Fills each sphere's entries from their end, in order.
-    const auto enter = [&](int sphere, int other, bool neighbours) {
-        if (!awake(sphere)) return;
-        partner_[--begin_[sphere + 1]] = 2 * other + neighbours;
-    };
-    for (const auto& pairs : picked_)
-        for (const Pair& pair : pairs) {
-            enter(pair.a, pair.b, pair.neighbours);
-            enter(pair.b, pair.a, pair.neighbours);
-        }
-    // begin_[s + 1] is now where sphere s begins; shift back.
-    begin_.erase(begin_.begin());
-    begin_.push_back(static_cast<int>(partner_.size()));
-    for (const ActiveCell& active : active_) {
-        const BodyContact& body = bodies_[active.body];
-        for (int s = 0; s < body.spheres; ++s) {
-            const int sphere = body.first + s * body.stride + active.cell;
-            std::sort(partner_.begin() + begin_[sphere], partner_.begin() + begin_[sphere + 1]);
-        }
-    }
-}
-
-void Contact::rest() {
-    active_.clear();
-    for (BodyContact& body : bodies_) body.touching = body.hit = false;
 }
 
 void Contact::search(std::span<const BodyStatus> status, const ForEach& forEach) {
@@ -473,32 +119,52 @@ void Contact::search(std::span<const BodyStatus> status, const ForEach& forEach)
     if (!candidatesHold()) findCandidates(forEach);
     pickPairs(forEach);
     listPairs();
+    findIslands();
 }
 
-int Contact::chunks() const {
-    return (static_cast<int>(active_.size()) + kCellsPerChunk - 1) / kCellsPerChunk;
+void Contact::rest() {
+    active_.clear();
+    tiles_.clear();
+    islands_.clear();
+    for (BodyContact& body : bodies_) body.touching = body.hit = false;
 }
 
-/// Centres and velocities of a chunk's spheres.
-void Contact::follow(int chunk) {
-    const auto end = std::min(active_.size(), static_cast<std::size_t>(chunk + 1) * kCellsPerChunk);
-    for (auto i = static_cast<std::size_t>(chunk) * kCellsPerChunk; i < end; ++i) {
-        const BodyContact& body = bodies_[active_[i].body];
-        for (int s = 0; s < body.spheres; ++s) {
-            const int sphere = body.first + s * body.stride + active_[i].cell;
-            for (int axis = 0; axis < 3; ++axis) {
-                const std::ptrdiff_t at = tiled(kNodeComponents, axis, active_[i].cell);
-                float u = 0, v = 0;
-                for (int corner = 0; corner < kCorners; ++corner) {
-                    u += body.weight[s][corner] *
-                         body.arrays->displacement[at + 3 * corner * kLanes];
-                    v += body.weight[s][corner] * body.arrays->velocity[at + 3 * corner * kLanes];
-                }
-                moved_[axis][sphere] = u;
-                velocity_[axis][sphere] = v;
+/// Centres and velocities of a tile's spheres of one number.
+void Contact::centreTile(const BodyContact& body, int tile, int sphere) {
+    const int at = body.first + sphere * body.stride + tile * kLanes;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::ptrdiff_t tiles = tiled(kNodeComponents, axis, tile * kLanes);
+        const float* u = body.arrays->displacement + tiles;
+        const float* v = body.arrays->velocity + tiles;
+        float sumU[kLanes] = {}, sumV[kLanes] = {};
+        for (int corner = 0; corner < kCorners; ++corner) {
+            const float weight = body.weight[sphere][corner];
+            for (int lane = 0; lane < kLanes; ++lane) {
+                sumU[lane] += weight * u[3 * corner * kLanes + lane];
+                sumV[lane] += weight * v[3 * corner * kLanes + lane];
             }
         }
+        std::copy_n(sumU, kLanes, moved_[axis].data() + at);
+        std::copy_n(sumV, kLanes, velocity_[axis].data() + at);
     }
+}
+
+/// Centres and velocities of the spheres.
+void Contact::follow(Range tiles) {
+    for (int i = tiles.from; i < tiles.to; ++i) {
+        const BodyContact& body = bodies_[tiles_[i].body];
+        for (int s = 0; s < body.spheres; ++s) centreTile(body, tiles_[i].tile, s);
+    }
+}
+
+/// Whether the spheres surely do not touch.
+bool Contact::apart(int sphere, int other) const {
+    std::array<float, 3> way;
+    for (int axis = 0; axis < 3; ++axis)
+        way[axis] = (rest_[axis][sphere] - rest_[axis][other]) +
+                    (moved_[axis][sphere] - moved_[axis][other]);
+    const float touch = laws_[lawOf_[sphere]].radius + laws_[lawOf_[other]].radius;
+    return distance2(way) >= touch * touch;
 }
 
 /// Force on `a`, which is less than `b`.
@@ -537,22 +203,25 @@ std::array<float, 3> Contact::pairForce(int a, int b, bool neighbours) const {
             push * normal[2] - share * slip[2]};
 }
 
-/// Adds the forces on a chunk's cells to those on their corners.
-void Contact::push(int chunk) {
-    const auto end = std::min(active_.size(), static_cast<std::size_t>(chunk + 1) * kCellsPerChunk);
-    for (auto i = static_cast<std::size_t>(chunk) * kCellsPerChunk; i < end; ++i) {
+/// Adds the forces on the cells to those on their corners.
+void Contact::push(Range cells) {
+    for (int i = cells.from; i < cells.to; ++i) {
         const BodyContact& body = bodies_[active_[i].body];
         float* force = body.arrays->force + active_[i].cell;
         for (int s = 0; s < body.spheres; ++s) {
             const int sphere = body.first + s * body.stride + active_[i].cell;
             std::array<float, 3> sum{0, 0, 0};
+            bool pushed = false;
             for (int entry = begin_[sphere]; entry < begin_[sphere + 1]; ++entry) {
                 const int other = partner_[entry] / 2;
+                if (apart(sphere, other)) continue;
                 const bool first = sphere < other;
                 const auto f =
                     pairForce(first ? sphere : other, first ? other : sphere, partner_[entry] & 1);
                 for (int axis = 0; axis < 3; ++axis) sum[axis] += first ? f[axis] : -f[axis];
+                pushed = true;
             }
+            if (!pushed) continue;
             for (int corner = 0; corner < kCorners; ++corner)
                 for (int axis = 0; axis < 3; ++axis)
                     force[(3 * corner + axis) * body.arrays->stride] +=

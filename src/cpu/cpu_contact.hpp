@@ -14,6 +14,10 @@ namespace sunder::cpu {
 /// Calls work(0) .. work(count − 1), in any order and in as many threads as it likes.
 using ForEach = std::function<void(int count, const std::function<void(int)>& work)>;
 
+inline float distance2(const std::array<float, 3>& a) {
+    return a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+}
+
 /// Contact between the cells of all bodies (core/contact.hpp).
 ///
 /// A search has two stages. The list of *candidates*, spheres that may come near each other within
@@ -45,11 +49,17 @@ class Contact {
     /// Whether an awake cell of another body hit this sleeping one, at the last search.
     bool hit(int body) const { return bodies_[body].hit; }
 
-    /// Each step, for chunks 0 .. chunks() − 1 of the touching cells: follow() while element forces
-    /// are worked out, then push(), which adds to them.
-    int chunks() const;
-    void follow(int chunk);
-    void push(int chunk);
+    /// Awake bodies that have pairs, in groups that have none with each other.
+    const std::vector<std::vector<int>>& islands() const { return islands_; }
+    /// A body's share of the lists that follow() and push() go through.
+    struct Range {
+        int from = 0, to = 0;
+    };
+    Range tilesOf(int body) const { return bodies_[body].tiles; }
+    Range cellsOf(int body) const { return bodies_[body].cells; }
+    /// Each step: follow() while element forces are worked out, then push(), which adds to them.
+    void follow(Range tiles);
+    void push(Range cells);
 
     std::size_t bytes() const;
 
@@ -70,6 +80,8 @@ class Contact {
         bool near = false;                        ///< may have pairs now
         bool inGrid = false, selfInGrid = false;  ///< when candidates were last searched for
         bool touching = false, hit = false;
+        Range tiles, cells;              ///< of tiles_, of active_
+        int island = 0;                  ///< a body of the same island, or itself
         std::array<float, 3> low, high;  ///< m, of its spheres with their reach
         float spread = 0;                ///< m, how different its spheres' displacements are
         struct Loose {
@@ -87,17 +99,32 @@ class Contact {
         float reach;
         bool expired;
     };
+    /// The same, lane by lane.
+    struct Bounds {
+        float low[3][kLanes], high[3][kLanes], lowU[3][kLanes], highU[3][kLanes];
+        float reach[kLanes];
+        float used[kLanes];  ///< m, of the way allowed for; positive: all and more
+    };
+    /// Place and reach at the last search, for a first look.
+    struct Near {
+        float x = 0, y = 0, z = 0, reach = 0;
+    };
     struct Pair {
         int a, b;  ///< spheres, a < b
-        bool neighbours, crowds, listed, hitsA, hitsB;
+        bool neighbours, crowds, hitsA, hitsB;
     };
     struct ActiveCell {
         int body, cell;
     };
+    struct ActiveTile {
+        int body, tile;
+    };
 
     void layOut(const World& world);
+    void centreTile(const BodyContact& body, int tile, int sphere);
+    bool apart(int sphere, int other) const;
     void measure(Stretch& stretch);
-    void measureTile(const BodyContact& body, int tile, Stretch& stretch);
+    void measureTile(const BodyContact& body, int tile, Bounds& bounds);
     void measureBodies(const ForEach& forEach);
     void findLoose(BodyContact& body) const;
     void findNear();
@@ -106,8 +133,9 @@ class Contact {
     void pickPairs(const ForEach& forEach);
     void pick(int a, int b, bool neighbours, std::vector<Pair>& pairs) const;
     void listPairs();
+    void listActive();
+    void findIslands();
     std::array<float, 3> pairForce(int a, int b, bool neighbours) const;
-    float reachOf(int sphere) const;
 
     std::vector<BodyContact> bodies_;
     std::vector<CellLaw> laws_;
@@ -122,7 +150,9 @@ class Contact {
     std::vector<int> bodyOf_, cellOf_;  ///< cellOf_: number of the cell's first sphere
     std::vector<std::uint16_t> lawOf_;
     std::vector<std::uint8_t> there_;  ///< its cell is present
-    std::vector<int> crowd_;           ///< N, at the cell's first sphere
+    std::vector<Near> near_;
+    std::vector<IVec3> lattice_;  ///< its cell's coordinates
+    std::vector<int> crowd_;      ///< N, at the cell's first sphere
 
     std::vector<Stretch> stretches_;
     ContactGrid grid_;
@@ -130,7 +160,9 @@ class Contact {
     std::vector<std::vector<Pair>> picked_;  ///< by part
     std::vector<int> begin_;                 ///< per sphere: its first entry in partner_
     std::vector<int> partner_;               ///< 2·sphere + (1: lattice neighbours), ascending
-    std::vector<ActiveCell> active_;
+    std::vector<ActiveCell> active_;         ///< cells with partners
+    std::vector<std::vector<int>> islands_;
+    std::vector<ActiveTile> tiles_;  ///< and the tiles that hold some
 };
 
 }  // namespace sunder::cpu

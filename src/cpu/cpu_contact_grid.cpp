@@ -6,15 +6,15 @@
 
 namespace sunder::cpu {
 
+int ContactGrid::index(float x) const {
+    return static_cast<int>(std::floor(std::clamp(x * inverseEdge_, -1e9f, 1e9f)));
+}
 ContactGrid::Voxel ContactGrid::voxelOf(const Ball& ball) const {
-    const auto index = [&](float x) {
-        return static_cast<int>(std::floor(std::clamp(x * inverseEdge_, -1e9f, 1e9f)));
-    };
     return {index(ball.x), index(ball.y), index(ball.z)};
 }
 
-/// A voxel is as wide as two balls, so that neighbours suffice; a few very large or fast ones are
-/// left out of the grid, or it would be too coarse for the rest.
+/// A voxel is as wide as two balls, so that neighbours suffice; large or fast ones are left out of
+/// the grid, or it would be too coarse for the rest.
 int ContactGrid::prepare() {
     std::erase_if(balls_, [](const Ball& b) { return !std::isfinite(b.x + b.y + b.z + b.radius); });
     const std::size_t count = balls_.size();
@@ -25,7 +25,8 @@ int ContactGrid::prepare() {
         largest = std::max(largest, ball.radius);
     }
     const float mean = static_cast<float>(sum / std::max<double>(1, static_cast<double>(count)));
-    const float bound = std::min(largest, 2 * mean);
+    const float bound = std::min(largest, kLarge * mean);
+    bound_ = bound;
     inverseEdge_ = bound > 0 ? 0.999f / (2 * bound) : 1;
     const auto large = std::stable_partition(
         balls_.begin(), balls_.end(), [&](const Ball& ball) { return ball.radius <= bound; });

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace sunder::cpu {
@@ -17,8 +16,6 @@ class ContactGrid {
     struct Candidate {
         int a, b;
     };
-    using Wanted = std::function<bool(int a, int b)>;
-
     void clear() { balls_.clear(); }
     void add(const Ball& ball) { balls_.push_back(ball); }
     /// Sorts the balls; returns the number of parts that find() can be called for.
@@ -34,9 +31,14 @@ class ContactGrid {
         int x, y, z;
         bool operator==(const Voxel&) const = default;
     };
-    static constexpr int kPart = 256;  ///< balls
+    static constexpr int kPart = 256;      ///< balls
+    static constexpr float kLarge = 1.6f;  ///< mean radii
 
+    int index(float x) const;
     Voxel voxelOf(const Ball& ball) const;
+    /// Calls test(j) for the small balls that a large one may overlap.
+    template <class Test>
+    void around(const Ball& large, const Test& test) const;
     std::size_t bucketOf(const Voxel& v) const {
         return (static_cast<std::uint32_t>(v.x) * 0x8da6b343u ^
                 static_cast<std::uint32_t>(v.y) * 0xd8163841u ^
@@ -52,9 +54,30 @@ class ContactGrid {
     std::vector<Voxel> voxels_;         ///< of sorted_
     std::vector<int> begin_;            ///< per bucket
     int small_ = 0;                     ///< balls no larger than a voxel
+    float bound_ = 0;                   ///< m, radius of the largest of them
     float inverseEdge_ = 1;             ///< 1/m
     int shift_ = 31;
 };
+
+template <class Test>
+void ContactGrid::around(const Ball& large, const Test& test) const {
+    const float reach = large.radius + bound_;
+    const Voxel low{index(large.x - reach), index(large.y - reach), index(large.z - reach)};
+    const Voxel high{index(large.x + reach), index(large.y + reach), index(large.z + reach)};
+    const double voxels = (high.x - low.x + 1.) * (high.y - low.y + 1.) * (high.z - low.z + 1.);
+    if (voxels > small_) {
+        for (int j = 0; j < small_; ++j) test(j);
+        return;
+    }
+    for (int z = low.z; z <= high.z; ++z)
+        for (int y = low.y; y <= high.y; ++y)
+            for (int x = low.x; x <= high.x; ++x) {
+                const Voxel v{x, y, z};
+                const std::size_t bucket = bucketOf(v);
+                for (int j = begin_[bucket]; j < begin_[bucket + 1]; ++j)
+                    if (voxels_[j] == v) test(j);
+            }
+}
 
 template <class W>
 void ContactGrid::find(int part, const W& wanted, std::vector<Candidate>& found) const {
@@ -64,8 +87,8 @@ void ContactGrid::find(int part, const W& wanted, std::vector<Candidate>& found)
             found.push_back({sorted_[i].number, sorted_[j].number});
     };
     for (int i = part * kPart; i < std::min(count, (part + 1) * kPart); ++i) {
-        if (i >= small_) {  // a large one, with all small ones and the large ones behind it
-            for (int j = 0; j < small_; ++j) test(i, j);
+        if (i >= small_) {
+            around(sorted_[i], [&](int j) { test(i, j); });
             for (int j = i + 1; j < count; ++j) test(i, j);
             continue;
         }

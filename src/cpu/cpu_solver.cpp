@@ -32,6 +32,7 @@ struct CpuSolver::Runner {
     /// oneTBB hands out no more threads than the machine has cores unless told to.
     std::optional<tbb::global_control> more;
     std::optional<tbb::task_arena> arena;
+    int largeCells = 0;             ///< a body or island with more of them is split
     std::vector<int> whole, split;  ///< bodies: one thread each; all threads on each in turn
     std::optional<cpu::Contact> contact;
     std::vector<bool> touching;  ///< per body
@@ -90,10 +91,11 @@ void CpuSolver::shareOut() {
     for (const auto& run : bodies_) cells += run->held ? run->cells() : 0;
     // A body is split when one thread alone would still be at it after the others were done.
     const int fairShare = cells / (2 * runner.threads);
+    runner.largeCells = std::max(fairShare, 2 * kVectorsPerPart * cpu::kLanes);
     for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
         const BodyRun& run = *bodies_[body];
         if (!run.held) continue;
-        const bool large = run.cells() > std::max(fairShare, 2 * kVectorsPerPart * cpu::kLanes);
+        const bool large = run.cells() > runner.largeCells;
         (runner.threads > 1 && large ? runner.split : runner.whole).push_back(body);
     }
     if (runner.contact) runner.contact->forget();
@@ -105,7 +107,7 @@ void CpuSolver::advance(int steps) {
     Runner& runner = *runner_;
     runner.inArena([&] {
         if (!runner.contact) {
-            advanceAlone(steps, runner.touching);
+            advanceAlone(steps);
             step_ += steps;
             return;
         }
@@ -114,22 +116,22 @@ void CpuSolver::advance(int steps) {
                 std::min(end, (step_ / kContactInterval + 1) * kContactInterval);
             if (runner.contact->due() || step_ % kContactInterval == 0) searchContacts(next);
             const auto count = static_cast<int>(next - step_);
-            advanceAlone(count, runner.touching);
-            advanceTouching(count, runner.touching);
+            advanceAlone(count);
+            advanceTouching(count);
             step_ = next;
         }
     });
 }
 
-void CpuSolver::advanceAlone(int steps, const std::vector<bool>& leftOut) {
+void CpuSolver::advanceAlone(int steps) {
     const Runner& runner = *runner_;
     const auto alone = [&](int body) {
-        if (leftOut[body]) return;
+        if (runner.touching[body]) return;
         bodies_[body]->advance(step_, steps,
                                [](int vectors, const auto& work) { work(0, vectors, 0); });
     };
     const auto together = [&](int body) {
-        if (leftOut[body]) return;
+        if (runner.touching[body]) return;
         bodies_[body]->advance(step_, steps, [&](int vectors, const auto& work) {
             const int parts = std::min({cpu::BodyRun::kMaxParts, 4 * runner.threads,
                                         std::max(1, vectors / kVectorsPerPart)});
@@ -147,42 +149,76 @@ void CpuSolver::advanceAlone(int steps, const std::vector<bool>& leftOut) {
     runner.forEach(static_cast<int>(runner.whole.size()), [&](int i) { alone(runner.whole[i]); });
 }
 
-void CpuSolver::advanceTouching(int steps, const std::vector<bool>& touching) {
+void CpuSolver::advanceTouching(int steps) {
+    const Runner& runner = *runner_;
+    if (!runner.contact) return;
+    std::vector<const std::vector<int>*> small;
+    for (const std::vector<int>& island : runner.contact->islands()) {
+        int cells = 0;
+        for (const int body : island) cells += bodies_[body]->cells();
+        if (runner.threads > 1 && cells > runner.largeCells)
+            advanceLargeIsland(steps, island);
+        else
+            small.push_back(&island);
+    }
+    runner.forEach(static_cast<int>(small.size()), [&](int i) { advanceIsland(steps, *small[i]); });
+}
+
+void CpuSolver::advanceIsland(int steps, const std::vector<int>& bodies) {
+    cpu::Contact& contact = *runner_->contact;
+    const auto forAwake = [&](const auto& work) {
+        for (const int body : bodies)
+            if (!bodies_[body]->asleep()) work(*bodies_[body], body);
+    };
+    for (std::int64_t step = step_; step < step_ + steps; ++step) {
+        for (const int body : bodies) bodies_[body]->startStep(step);
+        forAwake([&](BodyRun& run, int body) {
+            contact.follow(contact.tilesOf(body));
+            run.elements(0, run.arrays().vectors);
+        });
+        forAwake([&](BodyRun&, int body) { contact.push(contact.cellsOf(body)); });
+        forAwake([&](BodyRun& run, int) { run.nodes(0, run.arrays().vectors, 0); });
+        forAwake([&](BodyRun& run, int) { run.endStep(); });
+    }
+}
+
+void CpuSolver::advanceLargeIsland(int steps, const std::vector<int>& bodies) {
     struct Part {
         BodyRun* run;
         int first, end, number;
-        bool awake;
+        cpu::Contact::Range tiles, cells;
     };
     Runner& runner = *runner_;
-    std::vector<Part> parts;
-    for (std::size_t body = 0; body < bodies_.size(); ++body) {
-        if (!touching[body]) continue;
-        const int vectors = bodies_[body]->arrays().vectors;
-        const int count = std::clamp(vectors / kVectorsPerPart, 1, cpu::BodyRun::kMaxParts);
-        for (int i = 0; i < count; ++i)
-            parts.push_back(
-                {bodies_[body].get(), vectors * i / count, vectors * (i + 1) / count, i, false});
-    }
-    if (parts.empty()) return;
     cpu::Contact& contact = *runner.contact;
-    const auto partCount = static_cast<int>(parts.size());
-    const int chunks = contact.chunks();
+    std::vector<Part> parts;
+    for (const int body : bodies) {
+        BodyRun& run = *bodies_[body];
+        const int vectors = run.arrays().vectors;
+        const int count = std::clamp(vectors / kVectorsPerPart, 1, cpu::BodyRun::kMaxParts);
+        const auto share = [&](cpu::Contact::Range all, int i) {
+            const int size = all.to - all.from;
+            return cpu::Contact::Range{all.from + size * i / count,
+                                       all.from + size * (i + 1) / count};
+        };
+        for (int i = 0; i < count; ++i)
+            parts.push_back({&run, vectors * i / count, vectors * (i + 1) / count, i,
+                             share(contact.tilesOf(body), i), share(contact.cellsOf(body), i)});
+    }
+    const auto forAwake = [&](const auto& work) {
+        runner.forEach(static_cast<int>(parts.size()), [&](int i) {
+            if (!parts[i].run->asleep()) work(parts[i]);
+        });
+    };
     for (std::int64_t step = step_; step < step_ + steps; ++step) {
-        for (std::size_t i = 0; i < parts.size(); ++i)
-            parts[i].awake =
-                parts[i].number == 0 ? parts[i].run->startStep(step) : parts[i - 1].awake;
-        runner.forEach(partCount + chunks, [&](int i) {
-            if (i >= partCount)
-                contact.follow(i - partCount);
-            else if (parts[i].awake)
-                parts[i].run->elements(parts[i].first, parts[i].end);
+        for (const int body : bodies) bodies_[body]->startStep(step);
+        forAwake([&](const Part& part) {
+            contact.follow(part.tiles);
+            part.run->elements(part.first, part.end);
         });
-        runner.forEach(chunks, [&](int chunk) { contact.push(chunk); });
-        runner.forEach(partCount, [&](int i) {
-            if (parts[i].awake) parts[i].run->nodes(parts[i].first, parts[i].end, parts[i].number);
-        });
-        for (const Part& part : parts)
-            if (part.awake && part.number == 0) part.run->endStep();
+        forAwake([&](const Part& part) { contact.push(part.cells); });
+        forAwake([&](const Part& part) { part.run->nodes(part.first, part.end, part.number); });
+        for (const int body : bodies)
+            if (!bodies_[body]->asleep()) bodies_[body]->endStep();
     }
 }
 
@@ -209,6 +245,7 @@ void CpuSolver::searchContacts(std::int64_t until) {
             contact.rest();
         for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
             runner.touching[body] = contact.touching(body);
+            bodies_[body]->setTouching(contact.touching(body));
             if (!contact.hit(body)) continue;
             bodies_[body]->wake();
             again = true;

@@ -10,7 +10,7 @@ namespace sunder {
 /// What a game would ship: several cells at once on every core, single precision. Bodies are shared
 /// out to the cores whole where there are enough of them; a large one is split into stretches of
 /// cells. The result does not depend on the number of cores or the width of their vectors.
-/// Bodies at rest sleep (core/sleep.hpp).
+/// Bodies at rest sleep (core/sleep.hpp). Bodies that it does not hold are in contact with nothing.
 class CpuSolver : public Solver, public BodyHost {
   public:
     /// `world` must outlive the solver. threads: 0 for one per core.
@@ -37,10 +37,12 @@ class CpuSolver : public Solver, public BodyHost {
     struct Runner;
     struct BodyRun;
     void shareOut();
-    /// Advances bodies without contact, each by itself.
-    void advanceAlone(int steps, const std::vector<bool>& leftOut);
-    /// Advances the bodies in contact, all step by step.
-    void advanceTouching(int steps, const std::vector<bool>& touching);
+    /// Advances bodies that touch nothing, each by itself.
+    void advanceAlone(int steps);
+    /// Advances bodies in contact, step by step: each island by one thread, or a large one by all.
+    void advanceTouching(int steps);
+    void advanceIsland(int steps, const std::vector<int>& bodies);
+    void advanceLargeIsland(int steps, const std::vector<int>& bodies);
     void searchContacts(std::int64_t until);
 
     const World& world_;

@@ -9,6 +9,7 @@
 #include "core/diagnostics.hpp"
 #include "core/links.hpp"
 #include "core/pieces.hpp"
+#include "core/sleep.hpp"
 #include "cpu/reference.hpp"
 #include "support/solver_under_test.hpp"
 #include "support/worlds.hpp"
@@ -89,19 +90,18 @@ Collision collide(const SolverUnderTest& under, double restitution, double offse
 }
 
 /// Every bond broken with probability `share`.
-void breakBonds(const World& world, State& state, double share) {
+void breakBonds(State& state, double share) {
     Random random(7);
-    for (int bond = 0; bond < world.bondSlots(); ++bond)
-        if (state.damage[bond] != kNoBond && 0.5 * (random() + 1) < share) state.damage[bond] = 1;
-    (void)world;
+    for (double& damage : state.damage)
+        if (damage != kNoBond && 0.5 * (random() + 1) < share) damage = 1;
 }
 
-/// A loose wall of 12 × 10 × 2 cells on the ground, four fifths of its bonds broken, its upper half
+/// A loose wall of 10 × 10 × 2 cells on the ground, four fifths of its bonds broken, its upper half
 /// pushed over.
 WorldDescription looseWall() {
     Material material = cellMaterial(0.2, 0.6);
     material.damping = 1;
-    WorldDescription d = block({12, 10, 2}, material);
+    WorldDescription d = block({10, 10, 2}, material);
     d.gravity = {0, -9.81, 0};
     d.ground = true;
     d.contact = true;
@@ -109,7 +109,7 @@ WorldDescription looseWall() {
 }
 State looseState(const World& world) {
     State state = world.initialState();
-    breakBonds(world, state, 0.8);
+    breakBonds(state, 0.8);
     for (int node = 0; node < world.nodeCount(); ++node)
         state.velocity[node][2] = world.restPosition(node)[1] > 0.5 ? 1.5 : 0;
     return state;
@@ -292,7 +292,7 @@ TEST_CASE("a fresh crack does not explode") {
             for (int node = 0; node < world.nodeCount(); ++node)
                 state.displacement[node] = -0.1 * world.restPosition(node);
             const double stored = diagnose(world, state).elastic;
-            breakBonds(world, state, 1);
+            breakBonds(state, 1);
             const auto solver = under.make(world);
             solver->setState(state);
             for (int i = 0; i < 100; ++i) {
@@ -314,17 +314,22 @@ TEST_CASE("a broken wall falls into a heap that comes to rest") {
     const World world(looseWall());
     const State start = looseState(world);
     const int pieces = findPieces(world, start).count;
-    REQUIRE(pieces > 100);
+    REQUIRE(pieces > 80);
     for (const SolverUnderTest& under : touching()) {
         INFO(under.name);
         const auto solver = under.make(world);
         solver->setState(start);
-        solver->advance(12000);
+        solver->advance(15000);
         const State state = solver->state();
         const Diagnostics end = diagnose(world, state);
         CAPTURE(end.maxSpeed, end.minY);
         CHECK(end.nan == 0);
-        CHECK(end.kinetic < 1e-3);
+        // A piece may still creep or topple (kCreepSpeed says why); the heap lies still.
+        std::vector<double> speeds;
+        for (int cell = 0; cell < world.cellCount(); ++cell)
+            speeds.push_back(meanOf(state.velocity, cell).norm());
+        std::sort(speeds.begin(), speeds.end());
+        CHECK(speeds[speeds.size() * 8 / 10] < kSleepSpeed * kEdge);
         CHECK(end.minY > -0.05 * kEdge);
         const double deepest = deepestOverlap(world, state);
         CAPTURE(deepest);
@@ -343,45 +348,76 @@ TEST_CASE("a broken wall falls into a heap that comes to rest") {
 }
 
 TEST_CASE("every solver pushes as the reference does") {
-    const World world(looseWall());
-    ReferenceSolver reference(world);
-    reference.setState(looseState(world));
-    double largest = 0;
-    for (int snapshot = 0; snapshot < 4; ++snapshot) {
-        reference.advance(601);
-        State before = reference.state();
-        for (auto* field : {&before.displacement, &before.velocity})
-            for (Vec3& x : *field) x = x.cast<float>().cast<double>();
-        ReferenceSolver expected(world);
-        expected.setState(before);
-        WorldDescription d = looseWall();
-        d.contact = false;
-        const World untouched(d);
-        ReferenceSolver without(untouched);
-        without.setState(before);
-        expected.advance(1);
-        without.advance(1);
-        for (const SolverUnderTest& under : touching()) {
-            INFO(under.name << ", snapshot " << snapshot);
-            const auto solver = under.make(world);
-            solver->setState(before);
-            solver->advance(1);
-            const State state = solver->state();
-            double worst = 0;
-            for (int node = 0; node < world.nodeCount(); ++node) {
-                worst = std::max(worst,
-                                 (state.velocity[node] - expected.state().velocity[node]).norm());
-                largest = std::max(
-                    largest,
-                    (expected.state().velocity[node] - without.state().velocity[node]).norm());
+    const std::vector<SolverUnderTest> solvers = touching();
+    if (solvers.empty()) return;
+    WorldDescription cubes = looseWall();
+    // Cells of three and of eight spheres, two materials in one body, and a second body on top.
+    WorldDescription bars = looseWall();
+    bars.bodies[0].size = {1, 3, 0.2};
+    bars.materials.push_back(cellMaterial(0.7, 0.3));
+    bars.materials[1].density = 300;
+    bars.bodies[0].regions = {{{2, 0, 0}, {5, 7, 1}, 1}};
+    BodyDescription slab = bars.bodies[0];
+    slab.size = {2, 0.1, 0.8};
+    slab.cells = {10, 1, 4};
+    slab.position = {0, 3.0, 0};
+    slab.regions = {};
+    bars.bodies.push_back(slab);
+    for (WorldDescription* description : {&cubes, &bars}) {
+        const World world(*description);
+        description->contact = false;
+        const World untouched(*description);
+        ReferenceSolver reference(world), expected(world), without(untouched);
+        reference.setState(looseState(world));
+        double largest = 0;
+        for (int snapshot = 0; snapshot < 4; ++snapshot) {
+            reference.advance(401);
+            State before = reference.state();
+            for (auto* field : {&before.displacement, &before.velocity})
+                for (Vec3& x : *field) x = x.cast<float>().cast<double>();
+            expected.setState(before);
+            without.setState(before);
+            expected.advance(1);
+            without.advance(1);
+            const State after = expected.state(), apart = without.state();
+            for (int node = 0; node < world.nodeCount(); ++node)
+                largest = std::max(largest, (after.velocity[node] - apart.velocity[node]).norm());
+            for (const SolverUnderTest& under : solvers) {
+                INFO(under.name << ", snapshot " << snapshot);
+                const auto solver = under.make(world);
+                solver->setState(before);
+                solver->advance(1);
+                const State state = solver->state();
+                double worst = 0;
+                for (int node = 0; node < world.nodeCount(); ++node)
+                    worst = std::max(worst, (state.velocity[node] - after.velocity[node]).norm());
+                CAPTURE(worst);
+                // Positions of up to 3 m are known to 3ε m. That much of an overlap is κ/h of it in
+                // speed; a few pairs to a cell, and the strains of the elements in like measure.
+                CHECK(worst < 20 * 3 * 6e-8 / world.step());
             }
-            CAPTURE(worst);
-            // Positions of up to 2 m are known to 2ε m. That much of an overlap is κ/h of it in
-            // speed; a few pairs to a cell, and the strains of the elements in like measure.
-            CHECK(worst < 20 * 2 * 6e-8 / world.step());
         }
+        CHECK(largest > 0.05);  // m/s a step: they do push
     }
-    CHECK(largest > 0.05);  // m/s a step: they do push
+}
+
+TEST_CASE("long cells pile up and come to rest as well") {
+    WorldDescription d = looseWall();
+    d.bodies[0].cells = {8, 4, 2};
+    d.bodies[0].size = {0.8, 1.2, 0.2};
+    const World world(d);
+    for (const SolverUnderTest& under : touching()) {
+        INFO(under.name);
+        const auto solver = under.make(world);
+        solver->setState(looseState(world));
+        solver->advance(9000);
+        const Diagnostics end = diagnose(world, solver->state());
+        CAPTURE(end.maxSpeed, end.kinetic);
+        CHECK(end.nan == 0);
+        CHECK(end.minY > -0.05 * kEdge);
+        CHECK(end.kinetic < 1);  // J, of 200 kg: a toppling piece
+        CHECK(end.elastic < 5);
+    }
 }
 
 TEST_CASE("a state of a heap read back and set again goes on as if nothing had happened") {
@@ -427,4 +463,31 @@ TEST_CASE("whatever touches whatever how fast, no number is lost") {
             CHECK(end.nan == 0);
             CHECK(end.maxSpeed > 0);
         }
+}
+
+TEST_CASE("a sleeping cell wakes when another one hits it") {
+    Material material = cellMaterial(0.2, 0.6);
+    material.damping = 2;
+    WorldDescription d = singleCells({{0, kEdge / 2, 0}, {0, 9, 0}}, material);
+    d.gravity = {0, -9.81, 0};
+    d.ground = true;
+    const World world(d);
+    for (const SolverUnderTest& under : touching()) {
+        if (!under.sleeps) continue;
+        INFO(under.name);
+        const auto solver = under.make(world);
+        // At most 4.9 m/s against the drag: the upper one needs more than 1.8 s.
+        solver->advance(5400);
+        CHECK(solver->asleep(0));
+        bool woke = false;
+        for (int i = 0; i < 60 && !woke; ++i) {
+            solver->advance(60);
+            woke = !solver->asleep(0);
+        }
+        CHECK(woke);
+        CHECK(!solver->asleep(1));
+        solver->advance(15000);
+        CHECK(solver->asleep(0));
+        CHECK(solver->asleep(1));
+    }
 }
