@@ -149,6 +149,26 @@ void Contact::centreTile(const BodyContact& body, int tile, int sphere) {
     }
 }
 
+Contact::Range Contact::tilesOf(int body, int first, int end) const {
+    const auto find = [&](int tile) {
+        const Range all = bodies_[body].tiles;
+        const auto at = std::partition_point(tiles_.begin() + all.from, tiles_.begin() + all.to,
+                                             [&](const ActiveTile& t) { return t.tile < tile; });
+        return static_cast<int>(at - tiles_.begin());
+    };
+    return {find(first), find(end)};
+}
+
+Contact::Range Contact::cellsOf(int body, int first, int end) const {
+    const auto find = [&](int cell) {
+        const Range all = bodies_[body].cells;
+        const auto at = std::partition_point(active_.begin() + all.from, active_.begin() + all.to,
+                                             [&](const ActiveCell& c) { return c.cell < cell; });
+        return static_cast<int>(at - active_.begin());
+    };
+    return {find(first * kLanes), find(end * kLanes)};
+}
+
 /// Centres and velocities of the spheres.
 void Contact::follow(Range tiles) {
     for (int i = tiles.from; i < tiles.to; ++i) {

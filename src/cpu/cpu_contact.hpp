@@ -57,7 +57,11 @@ class Contact {
     };
     Range tilesOf(int body) const { return bodies_[body].tiles; }
     Range cellsOf(int body) const { return bodies_[body].cells; }
-    /// Each step: follow() while element forces are worked out, then push(), which adds to them.
+    /// Of those, what lies in a stretch of the body's vectors.
+    Range tilesOf(int body, int first, int end) const;
+    Range cellsOf(int body, int first, int end) const;
+    /// Once nodes have moved: follow(). Then, while forces of elements are known: push(), which
+    /// adds to them. A search leaves nothing to follow.
     void follow(Range tiles);
     void push(Range cells);
 

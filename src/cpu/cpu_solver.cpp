@@ -173,12 +173,14 @@ void CpuSolver::advanceIsland(int steps, const std::vector<int>& bodies) {
     for (std::int64_t step = step_; step < step_ + steps; ++step) {
         for (const int body : bodies) bodies_[body]->startStep(step);
         forAwake([&](BodyRun& run, int body) {
-            contact.follow(contact.tilesOf(body));
             run.elements(0, run.arrays().vectors);
+            contact.push(contact.cellsOf(body));
         });
-        forAwake([&](BodyRun&, int body) { contact.push(contact.cellsOf(body)); });
-        forAwake([&](BodyRun& run, int) { run.nodes(0, run.arrays().vectors, 0); });
-        forAwake([&](BodyRun& run, int) { run.endStep(); });
+        forAwake([&](BodyRun& run, int body) {
+            run.nodes(0, run.arrays().vectors, 0);
+            run.endStep();
+            contact.follow(contact.tilesOf(body));
+        });
     }
 }
 
@@ -195,14 +197,11 @@ void CpuSolver::advanceLargeIsland(int steps, const std::vector<int>& bodies) {
         BodyRun& run = *bodies_[body];
         const int vectors = run.arrays().vectors;
         const int count = std::clamp(vectors / kVectorsPerPart, 1, cpu::BodyRun::kMaxParts);
-        const auto share = [&](cpu::Contact::Range all, int i) {
-            const int size = all.to - all.from;
-            return cpu::Contact::Range{all.from + size * i / count,
-                                       all.from + size * (i + 1) / count};
-        };
-        for (int i = 0; i < count; ++i)
-            parts.push_back({&run, vectors * i / count, vectors * (i + 1) / count, i,
-                             share(contact.tilesOf(body), i), share(contact.cellsOf(body), i)});
+        for (int i = 0; i < count; ++i) {
+            const int first = vectors * i / count, end = vectors * (i + 1) / count;
+            parts.push_back({&run, first, end, i, contact.tilesOf(body, first, end),
+                             contact.cellsOf(body, first, end)});
+        }
     }
     const auto forAwake = [&](const auto& work) {
         runner.forEach(static_cast<int>(parts.size()), [&](int i) {
@@ -212,13 +211,18 @@ void CpuSolver::advanceLargeIsland(int steps, const std::vector<int>& bodies) {
     for (std::int64_t step = step_; step < step_ + steps; ++step) {
         for (const int body : bodies) bodies_[body]->startStep(step);
         forAwake([&](const Part& part) {
-            contact.follow(part.tiles);
             part.run->elements(part.first, part.end);
+            contact.push(part.cells);
         });
-        forAwake([&](const Part& part) { contact.push(part.cells); });
-        forAwake([&](const Part& part) { part.run->nodes(part.first, part.end, part.number); });
-        for (const int body : bodies)
-            if (!bodies_[body]->asleep()) bodies_[body]->endStep();
+        forAwake([&](const Part& part) {
+            part.run->nodes(part.first, part.end, part.number);
+            contact.follow(part.tiles);
+        });
+        for (const int body : bodies) {
+            if (bodies_[body]->asleep()) continue;
+            bodies_[body]->endStep();
+            if (bodies_[body]->asleep()) contact.follow(contact.tilesOf(body));  // it stopped
+        }
     }
 }
 
