@@ -9,10 +9,11 @@ uniform sampler2DArray links;  // layers of LinkRecord
 uniform float stepSize;        // s
 uniform float searchInterval;  // s, until the next one
 
-layout(location = 0) out vec4 summary;       // partners; N; how many there was no room for; another body it touches, plus one
+// What a cell touches: 0 nothing, 1 something, 2 + body: that body, which it hits so fast that it would wake it.
+layout(location = 0) out vec4 summary;       // partners; N; how many there was no room for; what it touches
 layout(location = 1) out vec4 partners[5];  // numbers of cells
 
-const float kSleepSpeed = 0.06;  // cell edges/s, src/core/sleep.hpp
+const float kCreepSpeed = 0.3;  // cell edges/s, src/core/sleep.hpp
 
 int self;
 uvec4 record;
@@ -20,6 +21,7 @@ vec4 centre, velocity;
 BodyRecord body;
 vec4 masks;
 ivec4 lattice;
+float shortestEdge;  // m
 ivec3 place;  // on the lattice
 uint neighbours;
 int partnerCount = 0;
@@ -82,8 +84,9 @@ void consider(int other, ivec3 voxel) {
     uvec4 otherRecord = cellRecord(other);
     float gap;
     crowd += closePairs(other, bodyRecord(bodyOf(otherRecord)), gap);
-    if (gap < 0.0 && record.y != otherRecord.y && length(velocity.xyz) > kSleepSpeed * body.cellSize.x)
-        touched = max(touched, float(otherRecord.y) + 1.0);
+    if (gap < 0.0 && record.y != otherRecord.y && length(velocity.xyz) > kCreepSpeed * shortestEdge)
+        touched = max(touched, float(otherRecord.y) + 2.0);
+    touched = max(touched, 1.0);
     if (partnerCount == 20) {
         dropped += 1.0;
         return;
@@ -106,6 +109,7 @@ void main() {
     body = bodyRecord(bodyOf(record));
     masks = texelFetch(links, ivec3(texel, 0), 0);
     lattice = ivec4(body.lattice);
+    shortestEdge = min(body.cellSize.x, min(body.cellSize.y, body.cellSize.z));
     place = cellCoordinates(self, lattice);
     neighbours = joinedNeighbours();
     ivec3 own = voxelOf(centre.xyz);

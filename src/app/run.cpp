@@ -161,6 +161,11 @@ int run(RunOptions options) {
     }
     if (const auto* shared = dynamic_cast<const BalancedSolver*>(solver.get()))
         facts.bodiesOnGpu = shared->bodiesOnGpu();
+    if (const auto* gather = dynamic_cast<const gpu::GatherSolver*>(solver.get());
+        gather && gather->droppedContacts() > 0)
+        std::cerr << "sunder: note: up to " << gather->droppedContacts()
+                  << " contacts at a time found no room and were left out; --solver cpu has room "
+                     "for all\n";
     const State state = solver->state();
     if (context) context->check();
     writeResults(options, scene, world, state, facts);

@@ -20,6 +20,10 @@ BalancedSolver::BalancedSolver(const World& world, const gpu::WorldBuffers& buff
       cpu_(world, threads),
       balancer_(cellCounts(world)),
       scratch_(world.initialState()) {
+    if (world.description().contact)
+        throw InputError(
+            "the solver auto cannot share out bodies that touch one another yet: use gather, cpu "
+            "or reference, or leave [contact] out");
     std::vector<int> all(world.bodies().size());
     std::iota(all.begin(), all.end(), 0);
     gather_.release(all, scratch_);

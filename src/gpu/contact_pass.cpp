@@ -15,8 +15,8 @@ int gridTexels(const World& world) {
     return static_cast<int>(std::bit_ceil(2 * static_cast<unsigned>(world.cellCount())));
 }
 
-/// Cells farther apart than a voxel never come within a margin of each other; a quarter on top for
-/// cells that are stretched.
+/// Spheres that are a voxel apart or more are out of the margin of those that do not close in
+/// faster. The smaller the voxels, the fewer cells share an eighth of one.
 double voxelSize(const World& world) {
     double reach = 0, radius = 0;
     for (const Body& body : world.bodies()) {
@@ -24,7 +24,7 @@ double voxelSize(const World& world) {
         reach = std::max(reach, proxy.reach(body.cellSize));
         radius = std::max(radius, proxy.radius);
     }
-    return 2.5 * reach + radius;
+    return 2 * reach + radius;
 }
 
 bool oneSphere(const World& world) {
@@ -47,6 +47,15 @@ void setGrid(const gl::Program& program, const World& world, int columns) {
 }
 
 }  // namespace
+
+void ContactPass::check(const World& world) {
+    for (const Body& body : world.bodies())
+        if (contactProxy(body.cellSize).spheres() > 1)
+            throw InputError("body '" + body.name +
+                             "': the solver gather has contact only between cells whose longest "
+                             "edge is less than 1.5 times the shortest; use cpu or reference, or "
+                             "leave [contact] out");
+}
 
 ContactPass::ContactPass(const World& world, int columns)
     : centres_(world.cellCount(), columns, 2, "cell centres"),

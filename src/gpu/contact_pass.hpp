@@ -14,6 +14,9 @@ namespace sunder::gpu {
 /// matters.
 class ContactPass {
   public:
+    /// Throws InputError where a body's cells are longer than thick: a voxel would not hold them
+    /// all.
+    static void check(const World& world);
     /// columns: of the solver's textures.
     ContactPass(const World& world, int columns);
 

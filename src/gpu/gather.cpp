@@ -70,7 +70,10 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
         bondProgram_ = texelProgram("gather/fracture.frag", bonds_[0], defines);
         bondWatchUniform_ = bondProgram_.uniform("newWatch");
     }
-    if (world.description().contact) contact_.emplace(world, columns_);
+    if (world.description().contact) {
+        ContactPass::check(world);
+        contact_.emplace(world, columns_);
+    }
     setState(world.initialState());
 }
 
@@ -106,11 +109,8 @@ State GatherSolver::state() const {
 void GatherSolver::setState(const State& state) {
     step_ = state.step;
     write({0, world_.cellCount()}, state);
-    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
-        if (!holds(body)) continue;
-        bodies_[body] = BodyState::Awake;
-        monitor_.disturb(body, step_);
-    }
+    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
+        if (holds(body)) wake(body);
     bodiesChanged();
     bindInputs();
     updateLinks();
@@ -119,10 +119,7 @@ void GatherSolver::setState(const State& state) {
 void GatherSolver::adopt(const std::vector<int>& bodies, const State& state) {
     const std::vector<TexelRange> cells = rangesOf(world_, bodies);
     for (const TexelRange& range : cells) write(range, state);
-    for (const int body : bodies) {
-        bodies_[body] = BodyState::Awake;
-        monitor_.disturb(body, step_);
-    }
+    for (const int body : bodies) wake(body);
     bodiesChanged();
     TexelRanges adopted(cells.size(), "adopted cells");
     adopted.set(cells, columns_);
@@ -282,16 +279,26 @@ void GatherSolver::updateNodes(bool events, int stepInFrame) {
     gl::bindTexture(kNodes, GL_TEXTURE_2D_ARRAY, nodes_[currentNodes_].texture());
 }
 
-/// Looks for bodies that have come to rest.
+/// Looks for bodies that have come to rest, and for sleepers that something hits.
 void GatherSolver::watch() {
-    std::vector<int> calm;
+    RestMonitor::News news;
     {
         const TimedPass timed(passTimer_, "rest");
-        calm = monitor_.look(step_);
+        if (contact_) gl::bindTexture(kPartners, GL_TEXTURE_2D_ARRAY, contact_->partners());
+        news = monitor_.look(step_);
     }
     newNodeWatch_ = newBondWatch_ = true;
-    std::erase_if(calm, [&](int body) { return bodies_[body] != BodyState::Awake; });
-    if (!calm.empty()) fallAsleep(calm);
+    droppedContacts_ = std::max(droppedContacts_, news.dropped);
+    std::erase_if(news.calm, [&](int body) { return bodies_[body] != BodyState::Awake; });
+    if (!news.calm.empty()) fallAsleep(news.calm);
+    std::erase_if(news.hit, [&](int body) { return bodies_[body] != BodyState::Asleep; });
+    for (const int body : news.hit) wake(body);
+    if (!news.hit.empty()) bodiesChanged();
+}
+
+void GatherSolver::wake(int body) {
+    bodies_[body] = BodyState::Awake;
+    monitor_.disturb(body, step_);
 }
 
 /// Their velocities become zero, and both halves of the ping-pong the same: the passes no longer
@@ -316,10 +323,8 @@ void GatherSolver::fallAsleep(const std::vector<int>& calm) {
 
 void GatherSolver::wakePushed() {
     for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
-        if (bodies_[body] == BodyState::Asleep && pushedWithin(world_, body, step_, step_ + 1)) {
-            bodies_[body] = BodyState::Awake;
-            monitor_.disturb(body, step_);
-        }
+        if (bodies_[body] == BodyState::Asleep && pushedWithin(world_, body, step_, step_ + 1))
+            wake(body);
     bodiesChanged();
 }
 

@@ -37,6 +37,9 @@ class GatherSolver : public GpuSolver, public BodyHost {
     bool asleep(int body) const override { return bodies_[body] == BodyState::Asleep; }
     StateView view() override;
 
+    /// Contacts that found no room in one search, at most so far; they were left out.
+    std::int64_t droppedContacts() const { return droppedContacts_; }
+
     void adopt(const std::vector<int>& bodies, const State& state) override;
     void release(const std::vector<int>& bodies, State& state) override;
     bool holds(int body) const override { return bodies_[body] != BodyState::Elsewhere; }
@@ -68,6 +71,7 @@ class GatherSolver : public GpuSolver, public BodyHost {
     void watch();
     void fallAsleep(const std::vector<int>& bodies);
     void wakePushed();
+    void wake(int body);
     void bodiesChanged();
     void addContacts();
     void updateBonds();
@@ -97,6 +101,7 @@ class GatherSolver : public GpuSolver, public BodyHost {
     TexelRanges awake_;
     std::vector<TexelRange> held_;  ///< cells of awake and sleeping bodies
     std::optional<ContactPass> contact_;
+    std::int64_t droppedContacts_ = 0;
     bool searchDue_ = true;  ///< bodies were changed from outside since the last search
     RestMonitor monitor_;
     bool newNodeWatch_ = true, newBondWatch_ = true;  ///< no step, no update since the last look

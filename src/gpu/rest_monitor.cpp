@@ -43,13 +43,16 @@ RestMonitor::RestMonitor(const World& world, int columns)
       chunkBuffer_(gl::makeBuffer<GLuint>(chunksOf(world), GL_STATIC_DRAW, "chunks")),
       chunkTexture_(gl::makeBufferTexture(chunkBuffer_, GL_RG32UI, "chunks")),
       unrest_(countChunks(world), columns, 1, "unrest"),
-      program_({.vertex = "gather/texels.vert", .fragment = "gather/rest.frag"}) {
+      program_({.vertex = "gather/texels.vert",
+                .fragment = "gather/rest.frag",
+                .defines = {{"CONTACT", world.description().contact ? "1" : "0"}}}) {
     setConstants(program_, world, columns);
     unrest_.prepare(program_);
     int chunk = 0;
     for (const sunder::Body& body : world.bodies()) {
-        const auto speed = static_cast<float>(calmSpeed(body));
-        bodies_.push_back({{chunk, chunk + countChunks(body)}, speed * speed});
+        const auto calm = static_cast<float>(calmSpeed(body)),
+                   creep = static_cast<float>(creepSpeed(body));
+        bodies_.push_back({{chunk, chunk + countChunks(body)}, calm * calm, creep * creep});
         chunk = bodies_.back().chunks.end;
     }
     const TexelRange every{0, chunk};
@@ -63,13 +66,13 @@ void RestMonitor::disturb(int body, std::int64_t step) {
     bodies_[body].disturbed = step;
 }
 
-std::vector<int> RestMonitor::look(std::int64_t step) {
+RestMonitor::News RestMonitor::look(std::int64_t step) {
     Answer& answer = answers_[next_];
     next_ = (next_ + 1) % kLag;
-    std::vector<int> calm;
-    if (answer.step >= 0 && answer.step < step) calm = take(answer, step);
+    News news;
+    if (answer.step >= 0 && answer.step < step) news = take(answer, step);
     ask(answer, step);
-    return calm;
+    return news;
 }
 
 void RestMonitor::ask(Answer& answer, std::int64_t step) {
@@ -80,23 +83,29 @@ void RestMonitor::ask(Answer& answer, std::int64_t step) {
     answer.step = step;
 }
 
-std::vector<int> RestMonitor::take(const Answer& answer, std::int64_t now) {
+RestMonitor::News RestMonitor::take(const Answer& answer, std::int64_t now) {
     answer.done.wait();
     std::vector<vec4> unrest(answer.texels.size() / sizeof(vec4));
     answer.texels.read(0, answer.texels.size(), unrest.data());
-    std::vector<int> calm;
+    News news;
     const std::int64_t since = answer.step - interval_;
     for (int index = 0; index < static_cast<int>(bodies_.size()); ++index) {
         Body& body = bodies_[index];
+        vec4 all(0);
+        for (int chunk = body.chunks.first; chunk < body.chunks.end; ++chunk) {
+            const vec4& some = unrest[chunk];
+            all = {std::max(all.x, some.x), std::max(all.y, some.y), std::max(all.z, some.z),
+                   all.w + some.w};
+            if (some.z >= 2) news.hit.push_back(static_cast<int>(some.z) - 2);
+        }
+        news.dropped += static_cast<std::int64_t>(all.w);
+        const float limit = all.z > 0 ? body.creepSpeed2 : body.calmSpeed2;
         const bool quiet = body.disturbed <= since && !pushedWithin(world_, index, since, now) &&
-                           std::all_of(unrest.begin() + body.chunks.first,
-                                       unrest.begin() + body.chunks.end, [&](const vec4& chunk) {
-                                           return chunk.x < body.calmSpeed2 && chunk.y == 0;
-                                       });
+                           all.x < limit && all.y == 0;
         body.calmSteps = quiet ? body.calmSteps + interval_ : 0;
-        if (body.calmSteps >= sleepSteps_) calm.push_back(index);
+        if (body.calmSteps >= sleepSteps_) news.calm.push_back(index);
     }
-    return calm;
+    return news;
 }
 
 }  // namespace sunder::gpu

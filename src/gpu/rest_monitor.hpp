@@ -19,11 +19,17 @@ class RestMonitor {
 
     /// Steps from one look to the next, about 1/60 s.
     int interval() const { return interval_; }
-    /// Asks the GPU about the `interval()` steps before `step`; the textures of nodes and bonds
-    /// must be bound to their units, and their programs be told to start anew. Then takes the
-    /// answer of the look before last, and returns the bodies that have been calm for long enough.
-    /// Waits only where the GPU is two looks behind.
-    std::vector<int> look(std::int64_t step);
+    /// What a look has found out.
+    struct News {
+        std::vector<int> calm;     ///< bodies that have been calm for long enough
+        std::vector<int> hit;      ///< bodies that a cell of another one hits
+        std::int64_t dropped = 0;  ///< contacts that found no room, at the last search
+    };
+    /// Takes the answer of the look before last and asks the GPU about the `interval()` steps
+    /// before `step`; the textures of nodes, bonds and, with contact, partners must be bound to
+    /// their units, and their programs be told to start anew. Waits only where the GPU is two looks
+    /// behind.
+    News look(std::int64_t step);
     /// A body is changed from outside at `step`: what it did before no longer counts.
     void disturb(int body, std::int64_t step);
 
@@ -36,13 +42,13 @@ class RestMonitor {
     };
     struct Body {
         TexelRange chunks;
-        float calmSpeed2;  ///< m²/s²
+        float calmSpeed2, creepSpeed2;  ///< m²/s²
         int calmSteps = 0;
         std::int64_t disturbed = 0;  ///< step
     };
 
     void ask(Answer& answer, std::int64_t step);
-    std::vector<int> take(const Answer& answer, std::int64_t now);
+    News take(const Answer& answer, std::int64_t now);
 
     const World& world_;
     int interval_, sleepSteps_;

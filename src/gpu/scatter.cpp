@@ -43,6 +43,10 @@ ScatterSolver::ScatterSolver(const World& world, const WorldBuffers& buffers)
           {{NodeBuffer(world), gl::makeVertexArray()}, {NodeBuffer(world), gl::makeVertexArray()}}},
       elementAttributes_(gl::makeVertexArray()),
       noAttributes_(gl::makeVertexArray()) {
+    if (world.description().contact)
+        throw InputError(
+            "the solver scatter has no contact between pieces yet: use gather, cpu or reference, "
+            "or leave [contact] out");
     for (const NodeSide& side : nodes_) {
         glBindVertexArray(side.attributes.id());
         glBindBuffer(GL_ARRAY_BUFFER, side.nodes.buffer().id());

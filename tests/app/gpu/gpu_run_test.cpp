@@ -105,6 +105,32 @@ TEST_CASE("App: a GPU solver gives the same wall twice, and another for another 
     CHECK(hash("8") != once);
 }
 
+TEST_CASE("App: auto says how many bodies the GPU has") {
+    const Workplace place;
+    place.write("wall.toml", scenes::kBreaking);
+    const json report = reportOf(place, "auto");
+    CHECK(report.at("solver") == "auto");
+    CHECK(report.at("bodies_on_gpu") >= 0);
+    CHECK(report.at("bodies_on_gpu") <= 1);
+    CHECK(report.at("bonds_broken") > 0);
+    CHECK(!reportOf(place, "gather").contains("bodies_on_gpu"));
+}
+
+TEST_CASE("App: a solver without contact refuses a scene that wants it") {
+    const Workplace place;
+    place.write("wall.toml", std::string(scenes::kBreaking) + "\n[contact]\nenabled = true\n");
+    for (const std::string solver : {"scatter", "auto"}) {
+        const Result result =
+            place.run({"run", "wall.toml", "--solver", solver, "--frames-png", "0", "--out", "o"});
+        INFO(result.err);
+        CHECK(result.exitCode == 2);
+        CHECK(contains(result.err, "the solver " + solver));
+        CHECK(contains(result.err, "use gather, cpu or reference"));
+        CHECK(place.contents() == std::set<std::string>{"wall.toml"});
+    }
+    CHECK(reportOf(place, "gather").at("bonds_broken") > 0);
+}
+
 TEST_CASE("App: without OpenGL 4.1 one sentence and exit code 3, and nothing is left") {
     const Workplace place;
     place.write("wall.toml", scenes::kFalling);
