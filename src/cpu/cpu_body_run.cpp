@@ -131,32 +131,9 @@ void BodyRun::updateSleep(bool calm) {
     std::fill_n(a.velocity, kNodeComponents * kLanes * a.vectors, 0.f);
 }
 
-void BodyRun::load(const State& state) {
-    BodyArrays& a = storage_.arrays();
-    const Body& body = world_.bodies()[a.index];
-    for (int cell = 0; cell < a.cells; ++cell) {
-        const IVec3 c = body.coordinates(body.firstCell + cell);
-        const int i = a.place(c[0], c[1], c[2]);
-        for (int corner = 0; corner < kCorners; ++corner)
-            for (int axis = 0; axis < 3; ++axis) {
-                const int node = kCorners * (body.firstCell + cell) + corner;
-                const std::ptrdiff_t at = tiled(kNodeComponents, 3 * corner + axis, i);
-                a.displacement[at] = static_cast<float>(state.displacement[node][axis]);
-                a.velocity[at] = static_cast<float>(state.velocity[node][axis]);
-            }
-        for (int axis = 0; axis < 3; ++axis) {
-            const int bond = kBondsPerCell * (body.firstCell + cell) + axis;
-            a.damage[axis * a.stride + i] = static_cast<float>(state.damage[bond]);
-            a.slow[axis * a.stride + i] = static_cast<float>(state.slow[bond]);
-        }
-    }
-    relinkAll(world_, a);
-    ++relinks_;
-    asleep_ = touching_ = false;
-    calmSteps_ = 0;
-}
-
-void BodyRun::store(State& state) const {
+/// Calls move(mine, theirs) for every number of the body and its place in `state`.
+template <class AnyState, class Move>
+void BodyRun::exchange(AnyState& state, const Move& move) const {
     const BodyArrays& a = storage_.arrays();
     const Body& body = world_.bodies()[a.index];
     for (int cell = 0; cell < a.cells; ++cell) {
@@ -166,15 +143,27 @@ void BodyRun::store(State& state) const {
             for (int axis = 0; axis < 3; ++axis) {
                 const int node = kCorners * (body.firstCell + cell) + corner;
                 const std::ptrdiff_t at = tiled(kNodeComponents, 3 * corner + axis, i);
-                state.displacement[node][axis] = a.displacement[at];
-                state.velocity[node][axis] = a.velocity[at];
+                move(a.displacement[at], state.displacement[node][axis]);
+                move(a.velocity[at], state.velocity[node][axis]);
             }
         for (int axis = 0; axis < 3; ++axis) {
             const int bond = kBondsPerCell * (body.firstCell + cell) + axis;
-            state.damage[bond] = a.damage[axis * a.stride + i];
-            state.slow[bond] = a.slow[axis * a.stride + i];
+            move(a.damage[axis * a.stride + i], state.damage[bond]);
+            move(a.slow[axis * a.stride + i], state.slow[bond]);
         }
     }
+}
+
+void BodyRun::load(const State& state) {
+    exchange(state, [](float& mine, double theirs) { mine = static_cast<float>(theirs); });
+    relinkAll(world_, storage_.arrays());
+    ++relinks_;
+    asleep_ = touching_ = false;
+    calmSteps_ = 0;
+}
+
+void BodyRun::store(State& state) const {
+    exchange(state, [](float mine, double& theirs) { theirs = mine; });
 }
 
 }  // namespace sunder::cpu

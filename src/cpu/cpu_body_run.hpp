@@ -53,6 +53,8 @@ class BodyRun {
         BondNews bonds;
     };
 
+    template <class AnyState, class Move>
+    void exchange(AnyState& state, const Move& move) const;
     void sweep(int first, int end, int part);
     void finishNodes(int first, int end, int part);
     void breakBonds(int first, int end, int part);

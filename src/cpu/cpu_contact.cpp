@@ -35,7 +35,6 @@ Contact::Contact(const World& world, std::vector<const BodyArrays*> bodies) {
         for (int s = 0; s < body.spheres; ++s)
             for (int corner = 0; corner < kCorners; ++corner)
                 body.weight[s][corner] = static_cast<float>(proxy.weights(s)[corner]);
-        body.relink = true;
         first += body.stride * body.spheres;
         bodies_.push_back(std::move(body));
     }
@@ -149,24 +148,25 @@ void Contact::centreTile(const BodyContact& body, int tile, int sphere) {
     }
 }
 
-Contact::Range Contact::tilesOf(int body, int first, int end) const {
-    const auto find = [&](int tile) {
-        const Range all = bodies_[body].tiles;
-        const auto at = std::partition_point(tiles_.begin() + all.from, tiles_.begin() + all.to,
-                                             [&](const ActiveTile& t) { return t.tile < tile; });
-        return static_cast<int>(at - tiles_.begin());
+/// The part of a range whose entries, ascending by `key`, have first <= key < end.
+template <class Entry>
+Contact::Range Contact::within(const std::vector<Entry>& entries, Range all, int Entry::*key,
+                               int first, int end) {
+    const auto find = [&](int bound) {
+        const auto at =
+            std::partition_point(entries.begin() + all.from, entries.begin() + all.to,
+                                 [&](const Entry& entry) { return entry.*key < bound; });
+        return static_cast<int>(at - entries.begin());
     };
     return {find(first), find(end)};
 }
 
+Contact::Range Contact::tilesOf(int body, int first, int end) const {
+    return within(tiles_, tilesOf(body), &ActiveTile::tile, first, end);
+}
+
 Contact::Range Contact::cellsOf(int body, int first, int end) const {
-    const auto find = [&](int cell) {
-        const Range all = bodies_[body].cells;
-        const auto at = std::partition_point(active_.begin() + all.from, active_.begin() + all.to,
-                                             [&](const ActiveCell& c) { return c.cell < cell; });
-        return static_cast<int>(at - active_.begin());
-    };
-    return {find(first * kLanes), find(end * kLanes)};
+    return within(active_, cellsOf(body), &ActiveCell::cell, first * kLanes, end * kLanes);
 }
 
 /// Centres and velocities of the spheres.

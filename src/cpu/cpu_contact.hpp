@@ -124,6 +124,9 @@ class Contact {
         int body, tile;
     };
 
+    template <class Entry>
+    static Range within(const std::vector<Entry>& entries, Range all, int Entry::*key, int first,
+                        int end);
     void layOut(const World& world);
     void centreTile(const BodyContact& body, int tile, int sphere);
     bool apart(int sphere, int other) const;
