@@ -27,7 +27,11 @@ constexpr int kSettledFrames = 1200;
 }  // namespace
 
 LoadBalancer::LoadBalancer(std::vector<int> cells)
-    : cells_(std::move(cells)), onGpu_(cells_.size(), false) {}
+    : cells_(std::move(cells)), largestFirst_(cells_.size()), onGpu_(cells_.size(), false) {
+    std::iota(largestFirst_.begin(), largestFirst_.end(), 0);
+    std::stable_sort(largestFirst_.begin(), largestFirst_.end(),
+                     [&](std::size_t a, std::size_t b) { return cells_[a] > cells_[b]; });
+}
 
 bool LoadBalancer::frame(const std::vector<bool>& awake) {
     std::int64_t load = 0;
@@ -109,12 +113,8 @@ void LoadBalancer::place(const std::vector<bool>& awake) {
         gpu += onGpu_[i] ? cells_[i] : 0;
     }
     auto missing = static_cast<double>(total) * share_ - static_cast<double>(gpu);
-    std::vector<std::size_t> order(cells_.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return cells_[a] > cells_[b]; });
     // A body moves where that brings the share closer, larger ones first.
-    for (const std::size_t i : order) {
+    for (const std::size_t i : largestFirst_) {
         if (!awake[i] || onGpu_[i] == (missing > 0)) continue;
         if (std::abs(missing) < 0.5 * cells_[i]) continue;
         missing += onGpu_[i] ? cells_[i] : -cells_[i];

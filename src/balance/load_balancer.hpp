@@ -41,6 +41,7 @@ class LoadBalancer {
     void place(const std::vector<bool>& awake);
 
     std::vector<int> cells_;
+    std::vector<std::size_t> largestFirst_;  ///< bodies
     std::vector<bool> onGpu_;
     double share_ = 0;
     std::vector<double> untried_;  ///< shares, last one first
