@@ -1,9 +1,9 @@
-// Contact search, first pass: one fragment per cell. Its centre, how far its spheres reach, its velocity.
+// Contact search, first pass: one fragment per cell. Where its sphere is, how it moves.
 #include "gather/cell_texel.glsl"
-#include "contact/spheres.glsl"
+#include "contact/sphere.glsl"
 
-layout(location = 0) out vec4 centre;
-layout(location = 1) out vec4 velocity;
+layout(location = 0) out vec4 centre;    // m; w: radius, m, 0 where no cell is
+layout(location = 1) out vec4 velocity;  // m/s; w unused
 
 void main() {
     int cell = fragmentIndex();
@@ -11,18 +11,8 @@ void main() {
     uvec4 record = cellRecord(cell);
     if (lawOf(record) == SUNDER_ABSENT) return;
     BodyRecord body = bodyRecord(bodyOf(record));
-    Cell own = cellAt(cell, body.cellSize.xyz);
-    Proxy proxy = proxyOf(body);
     vec3 x, v;
-    sphereOf(own, vec3(0.5), x, v);
-    float reach = 0.0;
-    if (sphereCount(proxy) > 1) {
-        for (int s = 0; s < sphereCount(proxy); ++s) {
-            vec3 p, q;
-            sphereOf(own, spherePlace(proxy, s), p, q);
-            reach = max(reach, distance(p, x));
-        }
-    }
-    centre = vec4(x, reach + proxy.radius);
-    velocity = vec4(v, proxy.radius);
+    sphereOf(cell, body.cellSize.xyz, x, v);
+    centre = vec4(x, body.events.w);
+    velocity = vec4(v, 0.0);
 }

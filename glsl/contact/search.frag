@@ -1,16 +1,16 @@
 // Contact search, third pass: one fragment per cell. Which cells it may touch until the next search (src/core/contact.hpp).
 #include "gather/cell_texel.glsl"
-#include "contact/spheres.glsl"
 #include "contact/grid.glsl"
+#include "physics/contact.glsl"
 #include "physics/links.glsl"
 
-uniform sampler2DArray grid;   // contact/grid.glsl
-uniform sampler2DArray links;  // layers of LinkRecord
-uniform float stepSize;        // s
-uniform float searchInterval;  // s, until the next one
+uniform sampler2DArray centres;  // contact/centre.frag
+uniform sampler2DArray grid;     // contact/grid.glsl
+uniform sampler2DArray links;    // layers of LinkRecord
+uniform float searchInterval;    // s, until the next one
 
 // What a cell touches: 0 nothing, 1 something, 2 + body: that body, which it hits so fast that it would wake it.
-layout(location = 0) out vec4 summary;       // partners; N; how many there was no room for; what it touches
+layout(location = 0) out vec4 summary;      // partners; N; how many there was no room for; what it touches
 layout(location = 1) out vec4 partners[5];  // numbers of cells
 
 const float kCreepSpeed = 0.3;  // cell edges/s, src/core/sleep.hpp
@@ -18,8 +18,6 @@ const float kCreepSpeed = 0.3;  // cell edges/s, src/core/sleep.hpp
 int self;
 uvec4 record;
 vec4 centre, velocity;
-BodyRecord body;
-vec4 masks;
 ivec4 lattice;
 float shortestEdge;  // m
 ivec3 place;  // on the lattice
@@ -28,7 +26,7 @@ int partnerCount = 0;
 float crowd = 0.0, dropped = 0.0, touched = 0.0;
 
 // Bit (x + 1) + 3 (y + 1) + 9 (z + 1): the cell so many steps away on the lattice shares a joined node.
-uint joinedNeighbours() {
+uint joinedNeighbours(vec4 masks) {
     uint result = 0u;
     for (int corner = 0; corner < 8; ++corner) {
         uint mask = linkMaskOf(masks, corner);
@@ -50,42 +48,19 @@ bool joined(int other) {
     return (neighbours >> uint(offset.x + 3 * offset.y + 9 * offset.z + 13) & 1u) != 0u;
 }
 
-// Sphere pairs closer than the crowd's gap; gap: of the closest pair, m.
-float closePairs(int other, BodyRecord otherBody, out float gap) {
-    Proxy a = proxyOf(body), b = proxyOf(otherBody);
-    float near = kCrowdGap * min(a.radius, b.radius), radii = a.radius + b.radius;
-    if (sphereCount(a) == 1 && sphereCount(b) == 1) {
-        gap = distance(centre.xyz, texelFetch(centres, ivec3(texelAddress(other), 0), 0).xyz) - radii;
-        return gap < near ? 1.0 : 0.0;
-    }
-    Cell own = cellAt(self, body.cellSize.xyz), theirs = cellAt(other, otherBody.cellSize.xyz);
-    float count = 0.0;
-    gap = 1.0e30;
-    for (int i = 0; i < sphereCount(a); ++i)
-        for (int j = 0; j < sphereCount(b); ++j) {
-            vec3 x, y, v;
-            sphereOf(own, spherePlace(a, i), x, v);
-            sphereOf(theirs, spherePlace(b, j), y, v);
-            float between = distance(x, y) - radii;
-            if (between < near) count += 1.0;
-            gap = min(gap, between);
-        }
-    return count;
-}
-
 void consider(int other, ivec3 voxel) {
     if (other == self || joined(other)) return;
     ivec2 texel = texelAddress(other);
     vec4 theirs = texelFetch(centres, ivec3(texel, 0), 0);
     if (voxelOf(theirs.xyz) != voxel) return;  // another voxel of the same texel
     vec4 moving = texelFetch(centres, ivec3(texel, 1), 0);
-    float margin = max(0.5 * (velocity.w + moving.w), 1.1 * searchInterval * distance(velocity.xyz, moving.xyz));
-    if (distance(centre.xyz, theirs.xyz) > centre.w + theirs.w + margin) return;
-    uvec4 otherRecord = cellRecord(other);
-    float gap;
-    crowd += closePairs(other, bodyRecord(bodyOf(otherRecord)), gap);
-    if (gap < 0.0 && record.y != otherRecord.y && length(velocity.xyz) > kCreepSpeed * shortestEdge)
-        touched = max(touched, float(otherRecord.y) + 2.0);
+    float radii = centre.w + theirs.w, gap = distance(centre.xyz, theirs.xyz) - radii;
+    float margin = max(0.5 * radii, 1.1 * searchInterval * distance(velocity.xyz, moving.xyz));
+    if (gap > margin) return;
+    uint otherBody = cellRecord(other).y;
+    if (gap < kCrowdGap * min(centre.w, theirs.w)) crowd += 1.0;
+    if (gap < 0.0 && otherBody != record.y && length(velocity.xyz) > kCreepSpeed * shortestEdge)
+        touched = max(touched, float(otherBody) + 2.0);
     touched = max(touched, 1.0);
     if (partnerCount == 20) {
         dropped += 1.0;
@@ -106,12 +81,11 @@ void main() {
     if (centre.w == 0.0) return;
     velocity = texelFetch(centres, ivec3(texel, 1), 0);
     record = cellRecord(self);
-    body = bodyRecord(bodyOf(record));
-    masks = texelFetch(links, ivec3(texel, 0), 0);
+    BodyRecord body = bodyRecord(bodyOf(record));
     lattice = ivec4(body.lattice);
     shortestEdge = min(body.cellSize.x, min(body.cellSize.y, body.cellSize.z));
     place = cellCoordinates(self, lattice);
-    neighbours = joinedNeighbours();
+    neighbours = joinedNeighbours(texelFetch(links, ivec3(texel, 0), 0));
     ivec3 own = voxelOf(centre.xyz);
     for (int i = 0; i < 27; ++i) {
         ivec3 voxel = own + ivec3(i % 3, i / 3 % 3, i / 9) - 1;

@@ -2,6 +2,7 @@
 #include <glad/gl.h>
 
 #include <memory>
+#include <type_traits>
 
 namespace sunder::gl {
 

@@ -27,17 +27,6 @@ double voxelSize(const World& world) {
     return 2 * reach + radius;
 }
 
-bool oneSphere(const World& world) {
-    return std::all_of(world.bodies().begin(), world.bodies().end(),
-                       [](const Body& body) { return contactProxy(body.cellSize).spheres() == 1; });
-}
-
-gl::Program texelProgram(const char* fragment, const World& world) {
-    return gl::Program({.vertex = "gather/texels.vert",
-                        .fragment = fragment,
-                        .defines = {{"ONE_SPHERE", oneSphere(world) ? "1" : "0"}}});
-}
-
 void setGrid(const gl::Program& program, const World& world, int columns) {
     program.use();
     const int columnBits = std::countr_zero(static_cast<unsigned>(columns));
@@ -61,17 +50,12 @@ ContactPass::ContactPass(const World& world, int columns)
     : centres_(world.cellCount(), columns, 2, "cell centres"),
       grid_(gridTexels(world), texelColumns(gridTexels(world)), 6, "contact grid"),
       partners_(world.cellCount(), columns, 6, "contact partners"),
-      centreProgram_(texelProgram("contact/centre.frag", world)),
+      centreProgram_(centres_.program(world, "contact/centre.frag")),
       insertProgram_({.vertex = "contact/insert.vert", .fragment = "contact/insert.frag"}),
-      searchProgram_(texelProgram("contact/search.frag", world)),
-      pushProgram_(texelProgram("contact/push.frag", world)),
+      searchProgram_(partners_.program(world, "contact/search.frag")),
+      pushProgram_(partners_.program(world, "contact/push.frag")),
       noAttributes_(gl::makeVertexArray()) {
-    for (const gl::Program* program :
-         {&centreProgram_, &insertProgram_, &searchProgram_, &pushProgram_})
-        setConstants(*program, world, columns);
-    centres_.prepare(centreProgram_);
-    partners_.prepare(searchProgram_);
-    partners_.prepare(pushProgram_);
+    setConstants(insertProgram_, world, columns);
     for (const gl::Program* program : {&insertProgram_, &searchProgram_})
         setGrid(*program, world, texelColumns(gridTexels(world)));
     searchProgram_.use();

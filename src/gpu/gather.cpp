@@ -52,22 +52,22 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
              TexelTarget(world.cellCount(), columns_, 2, "bonds")},
       forces_(world.cellCount(), columns_, kCorners, "forces"),
       links_(world.cellCount(), columns_, SUNDER_LINK_TEXELS, "links"),
-      forceProgram_(texelProgram("gather/element.frag", forces_, {{"STRESSES", "0"}})),
-      linkProgram_(texelProgram("gather/links.frag", links_)),
+      forceProgram_(forces_.program(world, "gather/element.frag", {{"STRESSES", "0"}})),
+      linkProgram_(links_.program(world, "gather/links.frag")),
       plainNodes_(nodePass("0")),
       pushedNodes_(nodePass("1")),
-      stillBondProgram_(texelProgram("gather/still.frag", bonds_[0], {{"NODES", "0"}})),
+      stillBondProgram_(bonds_[0].program(world, "gather/still.frag", {{"NODES", "0"}})),
       stillNodePrograms_{
-          texelProgram("gather/still.frag", nodes_[0], {{"NODES", "1"}, {"FIRST", "0"}}),
-          texelProgram("gather/still.frag", nodes_[0], {{"NODES", "1"}, {"FIRST", "4"}})},
+          nodes_[0].program(world, "gather/still.frag", {{"NODES", "1"}, {"FIRST", "0"}}),
+          nodes_[0].program(world, "gather/still.frag", {{"NODES", "1"}, {"FIRST", "4"}})},
       bodies_(world.bodies().size(), BodyState::Awake),
       awake_(world.bodies().size(), "awake cells"),
       monitor_(world, columns_) {
     if (breakable_) {
         const gl::Defines defines = breakDefines(world);
         stressProgram_ =
-            texelProgram("gather/element.frag", nodes_[0], with(defines, "STRESSES", "1"));
-        bondProgram_ = texelProgram("gather/fracture.frag", bonds_[0], defines);
+            nodes_[0].program(world, "gather/element.frag", with(defines, "STRESSES", "1"));
+        bondProgram_ = bonds_[0].program(world, "gather/fracture.frag", defines);
         bondWatchUniform_ = bondProgram_.uniform("newWatch");
     }
     if (world.description().contact) {
@@ -77,22 +77,13 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
     setState(world.initialState());
 }
 
-gl::Program GatherSolver::texelProgram(const char* fragment, const TexelTarget& target,
-                                       gl::Defines defines) const {
-    gl::Program program(
-        {.vertex = "gather/texels.vert", .fragment = fragment, .defines = std::move(defines)});
-    setConstants(program, world_, columns_);
-    target.prepare(program);
-    return program;
-}
-
 GatherSolver::NodePass GatherSolver::nodePass(const char* events) const {
     NodePass pass;
     constexpr const char* first[kNodeParts] = {"0", "4"};
     for (std::size_t part = 0; part < kNodeParts; ++part) {
         gl::Program& program = pass.programs[part];
-        program = texelProgram("gather/node.frag", nodes_[0],
-                               {{"EVENTS", events}, {"FIRST", first[part]}});
+        program = nodes_[0].program(world_, "gather/node.frag",
+                                    {{"EVENTS", events}, {"FIRST", first[part]}});
         pass.newWatch[part] = program.uniform("newWatch");
         pass.stepInFrame[part] = program.uniform("stepInFrame");
     }

@@ -63,8 +63,6 @@ class GatherSolver : public GpuSolver, public BodyHost {
     };
 
     NodePass nodePass(const char* events) const;
-    gl::Program texelProgram(const char* fragment, const TexelTarget& target,
-                             gl::Defines defines = {}) const;
     void bindInputs() const;
     void write(TexelRange cells, const State& state);
     void read(TexelRange cells, State& state) const;

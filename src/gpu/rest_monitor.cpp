@@ -43,11 +43,8 @@ RestMonitor::RestMonitor(const World& world, int columns)
       chunkBuffer_(gl::makeBuffer<GLuint>(chunksOf(world), GL_STATIC_DRAW, "chunks")),
       chunkTexture_(gl::makeBufferTexture(chunkBuffer_, GL_RG32UI, "chunks")),
       unrest_(countChunks(world), columns, 1, "unrest"),
-      program_({.vertex = "gather/texels.vert",
-                .fragment = "gather/rest.frag",
-                .defines = {{"CONTACT", world.description().contact ? "1" : "0"}}}) {
-    setConstants(program_, world, columns);
-    unrest_.prepare(program_);
+      program_(unrest_.program(world, "gather/rest.frag",
+                               {{"CONTACT", world.description().contact ? "1" : "0"}})) {
     int chunk = 0;
     for (const sunder::Body& body : world.bodies()) {
         const auto calm = static_cast<float>(calmSpeed(body)),

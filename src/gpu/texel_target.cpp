@@ -50,9 +50,14 @@ TexelTarget::TexelTarget(int count, int columns, int layers, const char* what)
     }
 }
 
-void TexelTarget::prepare(const gl::Program& program) const {
+gl::Program TexelTarget::program(const World& world, const char* fragment,
+                                 gl::Defines defines) const {
+    gl::Program program(
+        {.vertex = "gather/texels.vert", .fragment = fragment, .defines = std::move(defines)});
+    setConstants(program, world, columns_);
     program.use();
     glUniform2i(program.uniform("targetSize"), columns_, rows_);
+    return program;
 }
 
 void TexelTarget::bind(int part) const {

@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "core/world.hpp"
 #include "gl/program.hpp"
 #include "gpu/layout.hpp"
 #include "gpu/texel_ranges.hpp"
@@ -24,9 +25,10 @@ class TexelTarget {
 
     /// GL_TEXTURE_2D_ARRAY, RGBA32F.
     const gl::Texture& texture() const { return texture_; }
-    /// Once for every program that is to fill this target or one of its size: tells it the size.
-    void prepare(const gl::Program& program) const;
-    /// Runs a program whose vertex shader is gather/texels.vert: a fragment for every texel in
+    /// A program that fill() can run on this target or one of its size, every texel a cell of the
+    /// world or whatever the fragment shader takes it for; its constants are set (feedback.hpp).
+    gl::Program program(const World& world, const char* fragment, gl::Defines defines = {}) const;
+    /// Runs a program made by program(): a fragment for every texel in
     /// `ranges`. Its outputs are layers 8·part, 8·part + 1, … .
     void fill(const gl::Program& program, const TexelRanges& ranges, int part = 0) const;
 
