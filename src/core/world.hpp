@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/material.hpp"
+#include "core/object.hpp"
 #include "core/types.hpp"
 
 namespace sunder {
@@ -68,6 +69,8 @@ struct WorldDescription {
     std::vector<Material> materials;
     std::vector<BodyDescription> bodies;
     std::vector<EventDescription> events;
+    std::vector<ObjectDescription> objects;  ///< need contact
+    std::vector<ThrowDescription> throws;
     Vec3 gravity{0, -9.81, 0};    ///< m/s²
     bool ground = true;           ///< a floor at y = 0
     double groundFriction = 0.6;  ///< Coulomb coefficient, 1, 0 to 10
@@ -124,6 +127,13 @@ struct Event {
     double weight(std::int64_t step) const;
 };
 
+/// An object that is thrown as step number `step` begins.
+struct Throw {
+    std::int64_t step = 0;
+    int object = 0;
+    ObjectState state;
+};
+
 /// Whether a node is in an event's patch. The same single-precision operations in the same order as
 /// glsl/physics/events.glsl.
 bool insidePatch(const Event&, const Eigen::Vector3f& rest);
@@ -136,6 +146,7 @@ struct State {
     std::vector<double>
         damage;                ///< per bond; holds below 1, never decreases; kNoBond: no neighbour
     std::vector<double> slow;  ///< Pa, per bond: slow part of its traction
+    std::vector<ObjectState> objects;
 };
 
 /// Bodies laid out as cells, nodes and bonds: everything that does not change while time runs.
@@ -150,6 +161,8 @@ class World {
     const std::vector<Body>& bodies() const { return bodies_; }
     const std::vector<ElementLaw>& laws() const { return laws_; }
     const std::vector<Event>& events() const { return events_; }  ///< sorted by body
+    const std::vector<Object>& objects() const { return objects_; }
+    const std::vector<Throw>& throws() const { return throws_; }  ///< in order of time
     double step() const { return description_.step; }
 
     int cellCount() const { return static_cast<int>(cellBody_.size()); }
@@ -197,12 +210,15 @@ class World {
     void layOutNodes();
     void makeBonds();
     void makeEvents();
+    void makeObjects();
     int lawFor(int material, const Vec3& cellSize);
 
     WorldDescription description_;
     std::vector<Body> bodies_;
     std::vector<ElementLaw> laws_;
     std::vector<Event> events_;
+    std::vector<Object> objects_;
+    std::vector<Throw> throws_;
     std::vector<int> cellBody_;
     std::vector<std::int16_t> cellLaw_;
     std::vector<double> nodeMass_;

@@ -10,6 +10,45 @@
 
 namespace sunder {
 
+/// The nodes as objects see them.
+class ReferenceSolver::ObjectCells : public Objects::Cells {
+  public:
+    explicit ObjectCells(ReferenceSolver& solver) : solver_(solver) {}
+
+    Bounds bounds(int body) const override {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        Bounds bounds{Vec3::Constant(infinity), Vec3::Constant(-infinity)};
+        const Body& of = solver_.world_.bodies()[body];
+        for (int cell = of.firstCell; cell < of.firstCell + of.cellCount(); ++cell) {
+            if (!solver_.world_.present(cell)) continue;
+            const CellMotion nodes = motion(cell);
+            for (const Vec3& x : nodes.position) {
+                bounds.low = bounds.low.cwiseMin(x);
+                bounds.high = bounds.high.cwiseMax(x);
+            }
+            for (const Vec3& v : nodes.velocity) bounds.speed = std::max(bounds.speed, v.norm());
+        }
+        return bounds;
+    }
+    CellMotion motion(int cell) const override {
+        CellMotion motion;
+        for (int corner = 0; corner < kCorners; ++corner) {
+            const int node = kCorners * cell + corner;
+            motion.position[corner] =
+                solver_.world_.restPosition(node) + solver_.state_.displacement[node];
+            motion.velocity[corner] = solver_.state_.velocity[node];
+        }
+        return motion;
+    }
+    void push(int cell, const std::array<double, kCorners>& weights, const Vec3& force) override {
+        for (int corner = 0; corner < kCorners; ++corner)
+            solver_.force_[kCorners * cell + corner] += weights[corner] * force;
+    }
+
+  private:
+    ReferenceSolver& solver_;
+};
+
 ReferenceSolver::ReferenceSolver(const World& world) : world_(world) {
     for (int cell = 0; cell < world.cellCount(); ++cell) {
         if (!world.present(cell)) continue;
@@ -42,11 +81,19 @@ ReferenceSolver::ReferenceSolver(const World& world) : world_(world) {
     cellStress_.resize(world.cellCount());
     principal_.resize(world.cellCount());
     if (world.description().contact) contact_.emplace(world);
+    if (!world.objects().empty()) objects_.emplace(world);
     setState(world.initialState());
+}
+
+State ReferenceSolver::state() const {
+    State state = state_;
+    if (objects_) state.objects = objects_->states();
+    return state;
 }
 
 void ReferenceSolver::setState(const State& state) {
     state_ = state;
+    if (objects_) objects_->set(state.objects);
     updateLinks();
     searchDue_ = true;
 }
@@ -59,7 +106,9 @@ void ReferenceSolver::advance(int steps) {
         searchDue_ = false;
         updateElements(fracture);
         if (contact_) contact_->addForces(state_, force_);
+        if (objects_) pushObjects();
         updateNodes();
+        if (objects_) objects_->move();
         if (fracture) updateFracture();
         ++state_.step;
     }
@@ -92,6 +141,14 @@ void ReferenceSolver::updateElements(bool fracture) {
             cellStress_[e.cell][e.apex] = 0.5 * (biot + biot.transpose());
         }
     }
+}
+
+void ReferenceSolver::pushObjects() {
+    ObjectCells cells(*this);
+    objects_->startStep(state_.step);
+    if (objects_->searchDue() || state_.step % kContactInterval == 0)
+        objects_->search(cells, std::vector<bool>(world_.bodies().size(), true));
+    objects_->push(cells);
 }
 
 /// Symplectic Euler on joined groups, then the ground.

@@ -4,6 +4,7 @@
 
 #include "core/elasticity.hpp"
 #include "core/solver.hpp"
+#include "cpu/objects.hpp"
 #include "cpu/reference_contact.hpp"
 
 namespace sunder {
@@ -16,7 +17,7 @@ class ReferenceSolver : public Solver {
 
     std::string_view name() const override { return "reference"; }
     void advance(int steps) override;
-    State state() const override { return state_; }
+    State state() const override;
     void setState(const State& state) override;
 
   private:
@@ -30,7 +31,10 @@ class ReferenceSolver : public Solver {
     /// Stress of a corner tetrahedron in the material frame, T = sym(RᵀP), by cell and apex.
     using CellStress = std::array<Mat3, kCorners>;
 
+    class ObjectCells;
+
     void updateElements(bool fracture);
+    void pushObjects();
     void updateNodes();
     void updateFracture();
     void breakCells();
@@ -48,6 +52,7 @@ class ReferenceSolver : public Solver {
     std::vector<CellStress> cellStress_;  ///< valid after updateElements(true)
     std::vector<double> principal_;       ///< Pa, per cell, likewise
     std::optional<ReferenceContact> contact_;
+    std::optional<Objects> objects_;
     bool searchDue_ = true;  ///< the state was set: pairs are unknown
 };
 
