@@ -16,9 +16,9 @@ class Objects {
       public:
         virtual ~Cells() = default;
         struct Bounds {
-            Vec3 low, high;    ///< m
-            double speed = 0;  ///< m/s, of the fastest node
+            Vec3 low, high;  ///< m
         };
+        /// Around all nodes of a body.
         virtual Bounds bounds(int body) const = 0;
         virtual CellMotion motion(int cell) const = 0;
         /// Adds weights[corner]·force (N) to the forces on a cell's corners.

@@ -26,7 +26,6 @@ class ReferenceSolver::ObjectCells : public Objects::Cells {
                 bounds.low = bounds.low.cwiseMin(x);
                 bounds.high = bounds.high.cwiseMax(x);
             }
-            for (const Vec3& v : nodes.velocity) bounds.speed = std::max(bounds.speed, v.norm());
         }
         return bounds;
     }
