@@ -42,6 +42,25 @@ struct EventRecord {
 };
 #define SUNDER_EVENT_TEXELS 3
 
+// One object (src/core/object.hpp): five texels of the texture buffer `objects` (RGBA32F).
+struct ObjectRecord {
+    vec4 shape;     // xyz: half the edges of its core, m; w: radius, m
+    vec4 inertia;   // xyz: 1/(kg·m²), about its own axes; w: 1/kg; 0: fixed
+    vec4 surface;   // friction; restitution; exp(−drag·h); length of its chain, m, 0: none
+    vec4 hungFrom;  // xyz: m; w unused
+    vec4 colour;    // xyz: linear RGB; w unused
+};
+#define SUNDER_OBJECT_TEXELS 5
+
+// An object's state: four texels, one after the other or in layers of a texture.
+struct ObjectMotion {
+    vec4 position;         // xyz: m; w: 1, or 0: not there
+    vec4 orientation;      // quaternion; w: its real part
+    vec4 velocity;         // xyz: m/s; w: 0
+    vec4 angularMomentum;  // xyz: kg·m²/s, about its centre; w: 0
+};
+#define SUNDER_OBJECT_LAYERS 4
+
 // One node in a node buffer, as transform feedback writes it: 8 floats.
 struct NodeRecord {
     vec4 displacement; // xyz: m from rest; w: rest height, m, carried along for the ground
