@@ -130,7 +130,6 @@ void Objects::touchCell(const Candidate& candidate, const Cells& cells) {
     const int body = world_.bodyOf(candidate.cell);
     const Object& object = world_.objects()[candidate.object];
     const ObjectState& state = states_[candidate.object];
-    const Material& material = world_.materialOf(candidate.cell);
     const CellMotion motion = cells.motion(candidate.cell);
     const RoundedBox cell = motion.box(world_.bodies()[body].cellSize);
     Vec3 mean = Vec3::Zero();
@@ -148,8 +147,9 @@ void Objects::touchCell(const Candidate& candidate, const Cells& cells) {
         squares += active.weights[corner] * active.weights[corner];
     }
     active.yield = yieldOf(kCorners * squares / world_.cellMass(candidate.cell));
-    active.restitution = 0.5 * (object.restitution + material.restitution);
-    active.friction = 0.5 * (object.friction + material.friction);
+    active.restitution =
+        0.5 * (object.restitution + world_.laws()[world_.lawOf(candidate.cell)].restitution);
+    active.friction = 0.5 * (object.friction + world_.materialOf(candidate.cell).friction);
     add(std::move(active));
 }
 

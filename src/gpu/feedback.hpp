@@ -25,6 +25,10 @@ enum Unit {
     kCentres,
     kGrid,
     kPartners,
+    kObjects,
+    kMotion,
+    kTouchCounts,
+    kImpulses,
     kUnitCount
 };
 
