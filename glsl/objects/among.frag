@@ -1,4 +1,4 @@
-// How many planes and objects an object touches; cells are added by blending. One fragment per object.
+// How many barriers and objects an object touches; cells are added by blending. One fragment per object.
 #include "objects/among.glsl"
 
 layout(location = 0) out vec4 count;

@@ -1,10 +1,14 @@
-// What an object touches besides cells: planes and other objects.
+// What an object touches besides cells: barriers (src/core/room.hpp) and other objects.
 #include "objects/motion.glsl"
 
 uniform float stepSize;  // s
 uniform vec2 ground;     // x: 1 where there is a floor at y = 0; y: Coulomb coefficient
+#if ROOM
+uniform vec3 roomLow, roomHigh;  // m; SUNDER_NO_BARRIER away where there is none
+uniform float roomFriction;
+#endif
 
-// Defined by who includes this: `self` is the first (own = true) or the second side of a touch; other: −1, a plane.
+// Defined by who includes this: `self` is the first (own = true) or the second side of a touch; other: −1, a barrier.
 void meet(Touch touch, vec3 velocity, int other, bool own, float restitution, float friction);
 
 // A corner of a box's core; repeated: there is one with a lower number in the same place.
@@ -16,14 +20,26 @@ RoundedBox cornerBox(RoundedBox box, int corner, out bool repeated) {
     return box;
 }
 
-void meetGround(ObjectRecord record, ObjectMotion state) {
+// towards: the unit vector from the object to a barrier that lies `place` along it.
+void meetBarrier(RoundedBox point, ObjectRecord record, ObjectMotion state, vec3 towards, float place, float friction) {
+    Touch touch = Touch(towards, point.centre + point.radius * towards, place - dot(towards, point.centre) - point.radius);
+    meet(touch, -velocityAt(record, state, touch.point), -1, true, record.surface.y, 0.5 * (record.surface.x + friction));
+}
+
+void meetBarriers(ObjectRecord record, ObjectMotion state) {
     RoundedBox box = boxOf(record, state);
     for (int corner = 0; corner < 8; ++corner) {
         bool repeated;
         RoundedBox point = cornerBox(box, corner, repeated);
         if (repeated) continue;
-        Touch touch = Touch(vec3(0.0, -1.0, 0.0), point.centre - vec3(0.0, point.radius, 0.0), point.centre.y - point.radius);
-        meet(touch, -velocityAt(record, state, touch.point), -1, true, record.surface.y, 0.5 * (record.surface.x + ground.y));
+        if (ground.x > 0.0) meetBarrier(point, record, state, vec3(0.0, -1.0, 0.0), 0.0, ground.y);
+#if ROOM
+        meetBarrier(point, record, state, vec3(-1.0, 0.0, 0.0), -roomLow.x, roomFriction);
+        meetBarrier(point, record, state, vec3(1.0, 0.0, 0.0), roomHigh.x, roomFriction);
+        meetBarrier(point, record, state, vec3(0.0, 0.0, -1.0), -roomLow.z, roomFriction);
+        meetBarrier(point, record, state, vec3(0.0, 0.0, 1.0), roomHigh.z, roomFriction);
+        meetBarrier(point, record, state, vec3(0.0, 1.0, 0.0), roomHigh.y, roomFriction);
+#endif
     }
 }
 
@@ -53,7 +69,7 @@ void meetAll(int self) {
     ObjectRecord record = objectRecord(self);
     ObjectMotion state = objectMotion(self);
     if (state.position.w == 0.0) return;
-    if (ground.x > 0.0 && record.inertia.w > 0.0) meetGround(record, state);
+    if (record.inertia.w > 0.0) meetBarriers(record, state);
     for (int other = 0; other < objectCount; ++other)
         if (other != self) meetPair(self, other);
 }

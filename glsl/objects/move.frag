@@ -1,4 +1,4 @@
-// One fragment per object: what it gets from planes and objects, added to what it got from cells; then a step.
+// One fragment per object: what it gets from barriers and objects, added to what it got from cells; then a step.
 #include "objects/among.glsl"
 
 uniform sampler2DArray touchCounts;  // K

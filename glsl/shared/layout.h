@@ -14,6 +14,8 @@
 #define SUNDER_NO_BOND 2.0
 // Stands for "never": no stress reaches it.
 #define SUNDER_UNBREAKABLE 1.0e30
+// m. Stands for "nowhere": a barrier that nothing comes to.
+#define SUNDER_NO_BARRIER 1.0e30
 
 #define SUNDER_LAW_GREEN 0.0
 #define SUNDER_LAW_COROTATED 1.0

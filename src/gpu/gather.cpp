@@ -85,7 +85,9 @@ GatherSolver::NodePass GatherSolver::nodePass(const char* events) const {
     for (std::size_t part = 0; part < kNodeParts; ++part) {
         gl::Program& program = pass.programs[part];
         program = nodes_[0].program(world_, "gather/node.frag",
-                                    {{"EVENTS", events}, {"FIRST", first[part]}});
+                                    {{"EVENTS", events},
+                                     {"ROOM", world_.description().room ? "1" : "0"},
+                                     {"FIRST", first[part]}});
         pass.newWatch[part] = program.uniform("newWatch");
         pass.stepInFrame[part] = program.uniform("stepInFrame");
     }

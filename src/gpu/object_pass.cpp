@@ -100,7 +100,9 @@ gl::Program ObjectPass::pairProgram(const char* what, const char* geometry, cons
 }
 
 gl::Program ObjectPass::objectProgram(const char* fragment) const {
-    gl::Program program({.vertex = "objects/all.vert", .fragment = fragment});
+    gl::Program program({.vertex = "objects/all.vert",
+                         .fragment = fragment,
+                         .defines = {{"ROOM", world_.description().room ? "1" : "0"}}});
     setConstants(program, world_, columns_);
     glUniform1i(program.uniform("objectCount"), count_);
     return program;
