@@ -13,6 +13,15 @@ void setUniform(const gl::Program&, const char* name, float);
 void setUniform(const gl::Program&, const char* name, bool);
 
 /// Texture units of the drawing shaders.
-enum TextureUnit { kCellUnit, kBodyUnit, kBondUnit, kNodeUnit, kRestUnit, kShadowUnit };
+enum TextureUnit {
+    kCellUnit,
+    kBodyUnit,
+    kBondUnit,
+    kNodeUnit,
+    kRestUnit,
+    kShadowUnit,
+    kObjectUnit,
+    kPlaceUnit
+};
 
 }  // namespace sunder
