@@ -6,10 +6,11 @@ namespace sunder::gpu {
 namespace {
 
 constexpr const char* kSamplers[kUnitCount] = {
-    "cells",     "bodies",     "rest",   "nodes",    "bonds",
-    "events",    "links",      "forces", "stresses", "cumulativeForces",
-    "strengths", "rectangles", "chunks", "records",  "centres",
-    "grid",      "partners"};
+    "cells",       "bodies",     "rest",   "nodes",    "bonds",
+    "events",      "links",      "forces", "stresses", "cumulativeForces",
+    "strengths",   "rectangles", "chunks", "records",  "spheres",
+    "regions",     "exposed",    "grid",   "partners", "summaries",
+    "sphereForces"};
 constexpr int kLawBinding = 0;
 
 }  // namespace

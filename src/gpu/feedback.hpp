@@ -22,9 +22,13 @@ enum Unit {
     kRectangles,
     kChunks,
     kRecords,
-    kCentres,
+    kSpheres,
+    kRegions,
+    kExposed,
     kGrid,
     kPartners,
+    kSummaries,
+    kSphereForces,
     kUnitCount
 };
 

@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "core/contact.hpp"
 #include "core/sleep.hpp"
 
 namespace sunder::gpu {
@@ -70,10 +69,8 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
         bondProgram_ = bonds_[0].program(world, "gather/fracture.frag", defines);
         bondWatchUniform_ = bondProgram_.uniform("newWatch");
     }
-    if (world.description().contact) {
-        ContactPass::check(world);
-        contact_.emplace(world, columns_);
-    }
+    if (world.description().contact)
+        contact_.emplace(world, columns_, ContactPass::Storage::Textures);
     setState(world.initialState());
 }
 
@@ -227,12 +224,9 @@ void GatherSolver::advance(int steps) {
 }
 
 void GatherSolver::addContacts() {
-    if (searchDue_ || step_ % kContactInterval == 0) {
-        contact_->search(awake_, held_, passTimer_);
-        searchDue_ = false;
-    }
+    contact_->update(step_, passTimer_);
     const TimedPass timed(passTimer_, "contacts");
-    contact_->push(forces_, awake_);
+    contact_->push(forces_);
 }
 
 /// Stresses live for one pass: in the node textures that this step is about to fill.
@@ -275,7 +269,8 @@ void GatherSolver::watch() {
     RestMonitor::News news;
     {
         const TimedPass timed(passTimer_, "rest");
-        if (contact_) gl::bindTexture(kPartners, GL_TEXTURE_2D_ARRAY, contact_->partners());
+        if (contact_)
+            gl::bindTexture(kSummaries, GL_TEXTURE_2D_ARRAY, contact_->summaries().texture());
         news = monitor_.look(step_);
     }
     newNodeWatch_ = newBondWatch_ = true;
@@ -329,8 +324,7 @@ void GatherSolver::bodiesChanged() {
             nextWake_ = std::min(nextWake_, nextPush(world_, index, step_));
     }
     awake_.set(rangesOf(world_, awake), columns_);
-    held_ = rangesOf(world_, held);
-    searchDue_ = true;
+    if (contact_) contact_->setCells(rangesOf(world_, awake), rangesOf(world_, held));
 }
 
 }  // namespace sunder::gpu

@@ -97,10 +97,8 @@ class GatherSolver : public GpuSolver, public BodyHost {
 
     std::vector<BodyState> bodies_;
     TexelRanges awake_;
-    std::vector<TexelRange> held_;  ///< cells of awake and sleeping bodies
     std::optional<ContactPass> contact_;
     std::int64_t droppedContacts_ = 0;
-    bool searchDue_ = true;  ///< bodies were changed from outside since the last search
     RestMonitor monitor_;
     bool newNodeWatch_ = true, newBondWatch_ = true;  ///< no step, no update since the last look
     std::int64_t nextWake_ = 0;  ///< no event acts on a sleeping body before this step
