@@ -118,13 +118,12 @@ void main() {
     joined = joinedNeighbours(linkMasksOf(cellOf(self)));
     ivec3 low = voxelOf(centre.xyz - reach);
     vec3 from = centre.xyz - voxelSize * vec3(low);  // of the first of 4 × 4 × 4 voxels
-    for (int x = 0; x < 4; ++x)
-        for (int y = 0; y < 4; ++y)
-            for (int z = 0; z < 4; ++z) {
-                vec3 begin = voxelSize * vec3(x, y, z);
-                vec3 beside = max(max(begin - from, from - begin - voxelSize), 0.0);
-                if (dot(beside, beside) < 1.001 * reach * reach) visit(low + ivec3(x, y, z));
-            }
+    for (int i = 0; i < 64; ++i) {
+        ivec3 step_ = ivec3(i >> 4, i >> 2 & 3, i & 3);
+        vec3 begin = voxelSize * vec3(step_);
+        vec3 beside = max(max(begin - from, from - begin - voxelSize), 0.0);
+        if (dot(beside, beside) < 1.001 * reach * reach) visit(low + step_);
+    }
     summary = vec4(listed, close, dropped, touched);
     for (int i = 0; i < 5; ++i) partners[i] = list[i];
 }

@@ -78,11 +78,6 @@ void setRegions(const gl::Program& program, const World& world) {
     glUniform1f(program.uniform("regionSize"), static_cast<float>(size));
 }
 
-gl::Defines with(gl::Defines defines, const char* name, const char* value) {
-    defines.push_back({name, value});
-    return defines;
-}
-
 }  // namespace
 
 ContactPass::ContactPass(const World& world, int columns, Storage storage)
@@ -96,8 +91,8 @@ ContactPass::ContactPass(const World& world, int columns, Storage storage)
       exposed_(countSpheres(world), columns << sphereBits_, 1, "exposed spheres"),
       grid_(voxelTexels(world), texelColumns(voxelTexels(world)), 3, "contact grid"),
       partners_(countSpheres(world), columns << sphereBits_, 6, "contact partners"),
-      sphereProgram_(program(spheres_, "contact/spheres.frag", with(defines_, "LISTED", "0"))),
-      listedProgram_(program(spheres_, "contact/spheres.frag", with(defines_, "LISTED", "1"))),
+      sphereProgram_(program(spheres_, "contact/spheres.frag", gl::with(defines_, "LISTED", "0"))),
+      listedProgram_(program(spheres_, "contact/spheres.frag", gl::with(defines_, "LISTED", "1"))),
       regionProgram_({.vertex = "contact/region.vert",
                       .fragment = "contact/region.frag",
                       .defines = defines_}),
@@ -112,7 +107,7 @@ ContactPass::ContactPass(const World& world, int columns, Storage storage)
     const bool atOnce = sphereBits_ == 0 && storage == Storage::Textures;
     if (!atOnce) sphereForces_.emplace(countSpheres(world), columns << sphereBits_, 1, "pushes");
     pushProgram_ =
-        program(partners_, "contact/push.frag", with(defines_, "CORNERS", atOnce ? "1" : "0"));
+        program(partners_, "contact/push.frag", gl::with(defines_, "CORNERS", atOnce ? "1" : "0"));
     if (sphereBits_ > 0) {
         summaries_.emplace(world.cellCount(), columns, 1, "contact summaries");
         summaryProgram_ = summaries_->program(world, "contact/summary.frag", defines_);
@@ -154,7 +149,7 @@ void ContactPass::setCells(std::span<const TexelRange> awake, std::span<const Te
 void ContactPass::update(std::int64_t step, PassTimer* timer) {
     gl::bindTexture(kSpheres, GL_TEXTURE_2D_ARRAY, spheres_.texture());
     gl::bindTexture(kPartners, GL_TEXTURE_2D_ARRAY, partners_.texture());
-    gl::bindTexture(kSummaries, GL_TEXTURE_2D_ARRAY, summaries().texture());
+    gl::bindTexture(kSummaries, GL_TEXTURE_2D_ARRAY, summaries());
     if (due_ || step % kContactInterval == 0) {
         search(timer);
         due_ = false;
@@ -229,6 +224,14 @@ void ContactPass::push(const TexelTarget& corners) {
 void ContactPass::push() {
     sphereForces_->fill(pushProgram_, awakeSpheres_);
     gl::bindTexture(kSphereForces, GL_TEXTURE_2D_ARRAY, sphereForces_->texture());
+}
+
+std::int64_t ContactPass::dropped() const {
+    double sum = 0;
+    for (const vec4& found :
+         (summaries_ ? *summaries_ : partners_).read(0, {0, world_.cellCount()}))
+        sum += found.z;
+    return std::llround(sum);
 }
 
 }  // namespace sunder::gpu

@@ -27,25 +27,27 @@ class ContactPass {
     /// there are too many spheres.
     ContactPass(const World& world, int columns, Storage storage);
 
-    /// awake: cells whose partners are looked for; held: those that can be touched. What was found
-    /// before counts no longer.
+    /// awake: cells whose partners are looked for; held: those that can be touched. As
+    /// forget().
     void setCells(std::span<const TexelRange> awake, std::span<const TexelRange> held);
+    /// What was found before counts no longer: nodes or links were changed from outside.
+    void forget() { due_ = true; }
     /// Before the forces of a step: a search where one is due, otherwise where the spheres are now.
     /// Nodes, links and the world's buffers must be bound.
     void update(std::int64_t step, PassTimer* timer);
     /// Adds what pushes to the forces on the corners of cells, one layer each.
     void push(const TexelTarget& corners);
-    /// Works out what pushes each sphere that has partners, for sphereForces().
+    /// Works out what pushes each sphere that has partners, for glsl/contact/corner_forces.glsl.
     void push();
 
-    /// Bits of a sphere's number within its cell.
-    int sphereBits() const { return sphereBits_; }
-    /// Layer 0, per sphere: number of partners. To be bound to kPartners.
-    const gl::Texture& partners() const { return partners_.texture(); }
-    /// Layer 0, per sphere with partners: N. To be bound to kSphereForces.
-    const gl::Texture& sphereForces() const { return sphereForces_->texture(); }
+    /// What shaders that include glsl/contact/sphere.glsl must be compiled with.
+    const gl::Defines& defines() const { return defines_; }
     /// Layer 0, per cell: what the last search found (glsl/contact/search.frag).
-    const TexelTarget& summaries() const { return summaries_ ? *summaries_ : partners_; }
+    const gl::Texture& summaries() const {
+        return summaries_ ? summaries_->texture() : partners_.texture();
+    }
+    /// Contacts that the last search had no room for. Waits for the GPU; never inside a frame.
+    std::int64_t dropped() const;
 
   private:
     gl::Program program(const TexelTarget& target, const char* fragment, gl::Defines defines) const;

@@ -14,11 +14,6 @@ gl::Defines breakDefines(const World& world) {
             {"CELLS_BREAK", world.cellsBreak() ? "1" : "0"}};
 }
 
-gl::Defines with(gl::Defines defines, const char* name, const char* value) {
-    defines.push_back({name, value});
-    return defines;
-}
-
 TexelRange cellsOf(const World& world, int index) {
     const Body& body = world.bodies()[index];
     return {body.firstCell, body.firstCell + body.cellCount()};
@@ -65,7 +60,7 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
     if (breakable_) {
         const gl::Defines defines = breakDefines(world);
         stressProgram_ =
-            nodes_[0].program(world, "gather/element.frag", with(defines, "STRESSES", "1"));
+            nodes_[0].program(world, "gather/element.frag", gl::with(defines, "STRESSES", "1"));
         bondProgram_ = bonds_[0].program(world, "gather/fracture.frag", defines);
         bondWatchUniform_ = bondProgram_.uniform("newWatch");
     }
@@ -269,8 +264,7 @@ void GatherSolver::watch() {
     RestMonitor::News news;
     {
         const TimedPass timed(passTimer_, "rest");
-        if (contact_)
-            gl::bindTexture(kSummaries, GL_TEXTURE_2D_ARRAY, contact_->summaries().texture());
+        if (contact_) gl::bindTexture(kSummaries, GL_TEXTURE_2D_ARRAY, contact_->summaries());
         news = monitor_.look(step_);
     }
     newNodeWatch_ = newBondWatch_ = true;

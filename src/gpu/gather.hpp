@@ -37,8 +37,7 @@ class GatherSolver : public GpuSolver, public BodyHost {
     bool asleep(int body) const override { return bodies_[body] == BodyState::Asleep; }
     StateView view() override;
 
-    /// Contacts that found no room in one search, at most so far; they were left out.
-    std::int64_t droppedContacts() const { return droppedContacts_; }
+    std::int64_t droppedContacts() const override { return droppedContacts_; }
 
     void adopt(const std::vector<int>& bodies, const State& state) override;
     void release(const std::vector<int>& bodies, State& state) override;

@@ -43,10 +43,6 @@ ScatterSolver::ScatterSolver(const World& world, const WorldBuffers& buffers)
           {{NodeBuffer(world), gl::makeVertexArray()}, {NodeBuffer(world), gl::makeVertexArray()}}},
       elementAttributes_(gl::makeVertexArray()),
       noAttributes_(gl::makeVertexArray()) {
-    if (world.description().contact)
-        throw InputError(
-            "the solver scatter has no contact between pieces yet: use gather, cpu or reference, "
-            "or leave [contact] out");
     for (const NodeSide& side : nodes_) {
         glBindVertexArray(side.attributes.id());
         glBindBuffer(GL_ARRAY_BUFFER, side.nodes.buffer().id());
@@ -55,6 +51,11 @@ ScatterSolver::ScatterSolver(const World& world, const WorldBuffers& buffers)
     }
     makeElementBuffer();
     makeTargets();
+    if (world.description().contact) {
+        contact_.emplace(world, width_, ContactPass::Storage::Buffers);
+        const TexelRange all{0, world.cellCount()};
+        contact_->setCells({&all, 1}, {&all, 1});
+    }
     makePrograms();
     setState(world.initialState());
 }
@@ -115,8 +116,14 @@ void ScatterSolver::makePrograms() {
     nodeProgram_ = gl::Program({.vertex = "scatter/node.vert",
                                 .feedback = {"newDisplacement", "newVelocity"},
                                 .attributes = {{"displacement", 0}, {"velocity", 1}}});
-    for (const gl::Program* program :
-         {&elementPrograms_[0], &elementPrograms_[1], &connectivityProgram_, &nodeProgram_}) {
+    if (contact_)
+        contactProgram_ = gl::Program({.vertex = "scatter/contact.vert",
+                                       .geometry = "scatter/contact.geom",
+                                       .fragment = "scatter/element.frag",
+                                       .defines = gl::with(contact_->defines(), "FRACTURE", "0")});
+    for (const gl::Program* program : {&elementPrograms_[0], &elementPrograms_[1], &contactProgram_,
+                                       &connectivityProgram_, &nodeProgram_}) {
+        if (!*program) continue;
         setConstants(*program, world_, width_);
         glUniform1f(program->uniform("targetHeight"), static_cast<float>(height_));
     }
@@ -136,6 +143,7 @@ void ScatterSolver::setState(const State& state) {
     nodes_[currentNodes_].nodes.write(state);
     bindWorld(buffers_);
     bonds_.write(state, feedback_);
+    if (contact_) contact_->forget();
 }
 
 StateView ScatterSolver::view() {
@@ -145,6 +153,7 @@ StateView ScatterSolver::view() {
 
 void ScatterSolver::finish() {
     glFinish();
+    if (contact_) droppedContacts_ = std::max(droppedContacts_, contact_->dropped());
 }
 
 void ScatterSolver::advance(int steps) {
@@ -162,6 +171,7 @@ void ScatterSolver::advance(int steps) {
         const bool fracture = breakable_ && step_ % world_.description().fractureInterval == 0;
         gl::bindTexture(kNodes, GL_TEXTURE_BUFFER, nodes_[currentNodes_].nodes.texture());
         updateElements(fracture);
+        if (contact_) addContacts();
         updateConnectivity();
         updateNodes(i);
         if (!fracture) continue;
@@ -178,14 +188,32 @@ void ScatterSolver::updateElements(bool fracture) {
     constexpr float zero[4] = {0, 0, 0, 0};
     glClearBufferfv(GL_COLOR, 0, zero);
     if (fracture) glClearBufferfv(GL_COLOR, 1, zero);
+    drawForces(elementPrograms_[fracture], elementAttributes_,
+               kTetrahedraPerCell * world_.cellCount());
+}
+
+/// Adds to the bound targets; leaves the inverse masses in the first one's alpha alone.
+void ScatterSolver::drawForces(const gl::Program& program, const gl::VertexArray& attributes,
+                               int count) {
+    glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ONE);
-    elementPrograms_[fracture].use();
-    glBindVertexArray(elementAttributes_.id());
-    glDrawArrays(GL_POINTS, 0, kTetrahedraPerCell * world_.cellCount());
+    program.use();
+    glBindVertexArray(attributes.id());
+    glDrawArrays(GL_POINTS, 0, count);
     glDisable(GL_BLEND);
     glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void ScatterSolver::addContacts() {
+    contact_->update(step_, passTimer_);
+    const TimedPass timed(passTimer_, "contacts");
+    contact_->push();
+    glBindFramebuffer(GL_FRAMEBUFFER, elementTarget_.id());
+    glViewport(0, 0, width_, height_);
+    drawBuffers(1);
+    drawForces(contactProgram_, noAttributes_, world_.cellCount());
 }
 
 void ScatterSolver::updateConnectivity() {
