@@ -8,12 +8,11 @@
 
 uniform sampler2DArray regions;
 
-layout(location = 0) out vec4 exposed;  // x: 1 or 0
+layout(location = 0) out vec4 exposed;  // x: 1; what is not drawn stays 0
 
 void main() {
     vec4 centre = texelFetch(spheres, ivec3(gl_FragCoord.xy, 0), 0);
-    exposed = vec4(0.0);
-    if (centre.w == 0.0) return;
+    if (centre.w == 0.0) discard;
     ivec3 low = regionOf(centre.xyz - 0.5 * regionSize);
     vec4 first = vec4(kNothing), second = vec4(kNothing);
     for (int i = 0; i < 8; ++i) {
@@ -23,5 +22,6 @@ void main() {
     }
     bool alone = first.x == -first.y && first.x < kLoose;
     vec3 spread = vec3(first.z + first.w, second.x + second.y, second.z + second.w);
-    exposed.x = alone && dot(spread, spread) < centre.w * centre.w ? 0.0 : 1.0;
+    if (alone && dot(spread, spread) < centre.w * centre.w) discard;
+    exposed = vec4(1.0);
 }

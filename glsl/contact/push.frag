@@ -28,7 +28,7 @@ void main() {
     vec3 velocity = texelFetch(spheres, ivec3(texel, 1), 0).xyz;
     ContactSide own = sideOf(cellOf(self), centre.w);
     vec3 sum = vec3(0.0);
-    vec4 some;  // of the partners, the next one first
+    vec4 some = vec4(0.0);  // of the partners, the next one first
     for (int p = 0; p < count; ++p) {
         some = (p & 3) == 0 ? texelFetch(partners, ivec3(texel, 1 + (p >> 2)), 0) : some.yzwx;
         int other = int(abs(some.x)) - 1;

@@ -42,22 +42,24 @@ double reach(const World& world) {
     return 3 * largestRadius(world);
 }
 
-/// Texels of the regions and of the grid: four per sphere or more.
-int voxelTexels(const World& world) {
+/// Few voxels share a texel.
+int gridTexels(const World& world) {
     return static_cast<int>(std::bit_ceil(4 * static_cast<unsigned>(countSpheres(world))));
 }
+int regionTexels(const World& world) {
+    return static_cast<int>(std::bit_ceil(2 * static_cast<unsigned>(countSpheres(world))));
+}
 
-/// Columns and rows of a texture for that many, as powers of two.
-void setVoxelBits(const gl::Program& program, const char* name, const World& world) {
-    const int columns = texelColumns(voxelTexels(world));
-    const int columnBits = std::countr_zero(static_cast<unsigned>(columns));
-    const int bits = std::countr_zero(static_cast<unsigned>(voxelTexels(world)));
+/// Columns and rows of a texture for that many texels, as powers of two.
+void setBits(const gl::Program& program, const char* name, int texels) {
+    const int columnBits = std::countr_zero(static_cast<unsigned>(texelColumns(texels)));
+    const int bits = std::countr_zero(static_cast<unsigned>(texels));
     program.use();
     glUniform2i(program.uniform(name), columnBits, std::max(0, bits - columnBits));
 }
 
 void setGrid(const gl::Program& program, const World& world) {
-    setVoxelBits(program, "gridBits", world);
+    setBits(program, "gridBits", gridTexels(world));
     glUniform1f(program.uniform("voxelSize"), static_cast<float>(2 * largestRadius(world)));
 }
 
@@ -73,9 +75,27 @@ void setRegions(const gl::Program& program, const World& world) {
     const auto extent = [&](int axis) {
         return static_cast<int>(std::min((high[axis] - low[axis]) / size, 30000.0)) + 8;
     };
-    setVoxelBits(program, "regionBits", world);
+    setBits(program, "regionBits", regionTexels(world));
     glUniform3i(program.uniform("regionStrides"), 1, extent(0), extent(0) * extent(1));
     glUniform1f(program.uniform("regionSize"), static_cast<float>(size));
+}
+
+/// While it lives, nothing is drawn or cleared where the query found nothing: the GPU decides, and
+/// nobody waits.
+class WhereAny {
+  public:
+    explicit WhereAny(const gl::Query& query) {
+        glBeginConditionalRender(query.id(), GL_QUERY_WAIT);
+    }
+    ~WhereAny() { glEndConditionalRender(); }
+    WhereAny(const WhereAny&) = delete;
+    WhereAny& operator=(const WhereAny&) = delete;
+};
+
+gl::Query makeQuery() {
+    GLuint id = 0;
+    glGenQueries(1, &id);
+    return gl::Query(id);
 }
 
 }  // namespace
@@ -87,9 +107,9 @@ ContactPass::ContactPass(const World& world, int columns, Storage storage)
       defines_{{"SPHERE_BITS", std::to_string(sphereBits_)},
                {"BUFFERS", storage == Storage::Buffers ? "1" : "0"}},
       spheres_(countSpheres(world), columns << sphereBits_, 2, "contact spheres"),
-      regions_(voxelTexels(world), texelColumns(voxelTexels(world)), 2, "contact regions"),
+      regions_(regionTexels(world), texelColumns(regionTexels(world)), 2, "contact regions"),
       exposed_(countSpheres(world), columns << sphereBits_, 1, "exposed spheres"),
-      grid_(voxelTexels(world), texelColumns(voxelTexels(world)), 3, "contact grid"),
+      grid_(gridTexels(world), texelColumns(gridTexels(world)), 3, "contact grid"),
       partners_(countSpheres(world), columns << sphereBits_, 6, "contact partners"),
       sphereProgram_(program(spheres_, "contact/spheres.frag", gl::with(defines_, "LISTED", "0"))),
       listedProgram_(program(spheres_, "contact/spheres.frag", gl::with(defines_, "LISTED", "1"))),
@@ -101,6 +121,7 @@ ContactPass::ContactPass(const World& world, int columns, Storage storage)
           {.vertex = "contact/grid.vert", .fragment = "contact/grid.frag", .defines = defines_}),
       searchProgram_(program(partners_, "contact/search.frag", defines_)),
       noAttributes_(gl::makeVertexArray()),
+      anyExposed_(makeQuery()),
       awakeSpheres_(world.bodies().size(), "awake spheres"),
       heldSpheres_(world.bodies().size(), "held spheres"),
       awakeCells_(world.bodies().size(), "awake cells") {
@@ -155,6 +176,7 @@ void ContactPass::update(std::int64_t step, PassTimer* timer) {
         due_ = false;
     } else {
         const TimedPass timed(timer, "contact followed");
+        const WhereAny where(anyExposed_);
         spheres_.fill(listedProgram_, awakeSpheres_);
     }
 }
@@ -170,12 +192,11 @@ void ContactPass::search(PassTimer* timer) {
     }
     {
         const TimedPass timed(timer, "contact exposed");
-        gl::bindTexture(kRegions, GL_TEXTURE_2D_ARRAY, regions_.texture());
-        exposed_.fill(exposedProgram_, heldSpheres_);
-        gl::bindTexture(kExposed, GL_TEXTURE_2D_ARRAY, exposed_.texture());
+        findExposed();
     }
     {
         const TimedPass timed(timer, "contact grid");
+        const WhereAny where(anyExposed_);
         fillGrid();
     }
     const TimedPass timed(timer, "contact search");
@@ -204,6 +225,17 @@ void ContactPass::fillRegions() {
     drawHeld(regionProgram_);
 }
 
+void ContactPass::findExposed() {
+    gl::bindTexture(kRegions, GL_TEXTURE_2D_ARRAY, regions_.texture());
+    exposed_.bind();
+    constexpr GLfloat zero[] = {0, 0, 0, 0};
+    glClearBufferfv(GL_COLOR, 0, zero);
+    glBeginQuery(GL_ANY_SAMPLES_PASSED, anyExposed_.id());
+    exposed_.fill(exposedProgram_, heldSpheres_);
+    glEndQuery(GL_ANY_SAMPLES_PASSED);
+    gl::bindTexture(kExposed, GL_TEXTURE_2D_ARRAY, exposed_.texture());
+}
+
 void ContactPass::fillGrid() {
     grid_.bind();
     constexpr GLfloat zero[] = {0, 0, 0, 0};
@@ -215,6 +247,7 @@ void ContactPass::fillGrid() {
 
 void ContactPass::push(const TexelTarget& corners) {
     if (sphereForces_) push();
+    const WhereAny where(anyExposed_);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     corners.fill(sphereForces_ ? cornerProgram_ : pushProgram_, awakeCells_);
@@ -222,6 +255,7 @@ void ContactPass::push(const TexelTarget& corners) {
 }
 
 void ContactPass::push() {
+    const WhereAny where(anyExposed_);
     sphereForces_->fill(pushProgram_, awakeSpheres_);
     gl::bindTexture(kSphereForces, GL_TEXTURE_2D_ARRAY, sphereForces_->texture());
 }

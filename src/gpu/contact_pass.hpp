@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/world.hpp"
+#include "gl/timer.hpp"
 #include "gpu/pass_timer.hpp"
 #include "gpu/texel_target.hpp"
 
@@ -53,6 +54,7 @@ class ContactPass {
     gl::Program program(const TexelTarget& target, const char* fragment, gl::Defines defines) const;
     void search(PassTimer* timer);
     void fillRegions();
+    void findExposed();
     void fillGrid();
     void drawHeld(const gl::Program& program) const;
 
@@ -70,6 +72,7 @@ class ContactPass {
     gl::Program sphereProgram_, listedProgram_, regionProgram_, exposedProgram_, gridProgram_,
         searchProgram_, summaryProgram_, pushProgram_, cornerProgram_;
     gl::VertexArray noAttributes_;
+    gl::Query anyExposed_;  ///< at the last search; where none is, the rest is left out
 
     TexelRanges awakeSpheres_, heldSpheres_, awakeCells_;
     std::vector<TexelRange> held_;  ///< spheres
