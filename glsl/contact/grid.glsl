@@ -1,22 +1,34 @@
-// A hashed grid of voxels, one texel each, in six layers. Of the cells in each eighth of a voxel it keeps the largest number (layers
-// 0 and 1, four eighths each) and the smallest (layers 2 and 3), plus one, and counts them (layers 4 and 5). An eighth is smaller
-// than a cell, so that more than two in it are rare, and noticed.
-uniform ivec2 gridBits;    // columns and rows are these powers of two
-uniform float voxelSize;  // m
-const float kNobody = 3.0e7;  // beyond every number, in layers 2 and 3
+// A hashed grid of voxels, one texel each, in three layers. Layer 0: of the numbers of the spheres in a voxel, which count from 1, the
+// largest; kNumbers less the smallest; the largest in the first other order; how many there are. Layer 1: the largest in each of four
+// pairs of opposite eighths of the voxel. Layer 2: the largest, and kNumbers less the smallest, in the second and third other order.
+//
+// A voxel is as wide as the largest sphere, so that more than two in it are rare; of three it loses one in fifty times, and counts it.
+#include "physics/lattice.glsl"
+
+uniform ivec2 gridBits;      // columns and rows are these powers of two
+uniform float voxelSize;     // m
+const float kNumbers = 16777216.0;  // 2^24
 
 ivec3 voxelOf(vec3 position) { return ivec3(floor(clamp(position / voxelSize, -1.0e6, 1.0e6))); }
 
-// Which eighth of its voxel a position lies in.
-int eighthOf(vec3 position) {
-    ivec3 half_ = ivec3(greaterThanEqual(fract(position / voxelSize), vec3(0.5)));
-    return half_.x | half_.y << 1 | half_.z << 2;
-}
-
-ivec2 voxelTexel(ivec3 voxel) {
+uint voxelHash(ivec3 voxel) {
     uint hash = uint(voxel.x) * 73856093u ^ uint(voxel.y) * 19349663u ^ uint(voxel.z) * 83492791u;
     hash ^= hash >> 15u;
     hash *= 2246822519u;
-    hash ^= hash >> 13u;
+    return hash ^ hash >> 13u;
+}
+
+ivec2 voxelTexel(uint hash) {
     return ivec2(hash & ((1u << uint(gridBits.x)) - 1u), hash >> uint(gridBits.x) & ((1u << uint(gridBits.y)) - 1u));
 }
+
+// Which of the four pairs of eighths of its voxel a position lies in; another one for each of two voxels that share a texel.
+int eighthsOf(vec3 position, uint hash) {
+    ivec3 high = ivec3(greaterThanEqual(fract(position / voxelSize), vec3(0.5)));
+    return (high.x ^ high.z | (high.y ^ high.z) << 1) ^ int(hash >> 30u);
+}
+
+// Numbers in other orders, and back: times an odd number, modulo 2^24. 0 stays 0.
+const uvec3 kScramble = uvec3(10368889u, 5588547u, 14414443u), kUnscramble = uvec3(11764425u, 7911019u, 8268355u);
+vec3 scrambled(float number) { return vec3(uint(number) * kScramble & 16777215u); }
+vec3 unscrambled(vec3 keys) { return vec3(uvec3(keys) * kUnscramble & 16777215u); }

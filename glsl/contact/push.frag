@@ -1,39 +1,52 @@
-// Contact forces: one fragment per cell that has partners, added to the forces on its corners.
-#include "gather/cell_texel.glsl"
-#include "contact/sphere.glsl"
+// Contact forces, one fragment per sphere. CORNERS: added to those on the corners of its cell, whose only sphere it is.
+#include "contact/sphere_texel.glsl"
+#include "physics/contact.glsl"
 
-uniform sampler2DArray partners;  // contact/search.frag
-uniform samplerBuffer strengths;  // w: friction
-uniform float stepSize;           // s
+uniform sampler2DArray partners;   // contact/search.frag
+uniform sampler2DArray summaries;  // of that, layer 0, per cell
+uniform samplerBuffer strengths;   // w: friction
+uniform float stepSize;            // s
 
+#if CORNERS
 layout(location = 0) out vec4 forces[8];  // N, blended by addition
+#else
+layout(location = 0) out vec4 force;  // N
+#endif
 
-ContactSide sideOf(int cell, uvec4 record, BodyRecord body) {
-    return ContactSide(8.0 * cornerMass(record), uintBitsToFloat(record.w), texelFetch(strengths, cell).w, body.events.w,
-                       texelFetch(partners, ivec3(texelAddress(cell), 0), 0).y);
+ContactSide sideOf(int cell, float radius) {
+    uvec4 record = cellRecord(cell);
+    return ContactSide(8.0 * cornerMass(record), uintBitsToFloat(record.w), texelFetch(strengths, cell).w, radius,
+                       texelFetch(summaries, ivec3(texelAddress(cell), 0), 0).y);
 }
 
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
     int count = int(texelFetch(partners, ivec3(texel, 0), 0).x);
     if (count == 0) discard;
-    int self = fragmentIndex();
-    uvec4 record = cellRecord(self);
-    BodyRecord body = bodyRecord(bodyOf(record));
-    ContactSide ownSide = sideOf(self, record, body);
-    vec3 x, v, sum = vec3(0.0);
-    sphereOf(self, body.cellSize.xyz, x, v);
-
+    int self = fragmentSphere();
+    vec4 centre = texelFetch(spheres, ivec3(texel, 0), 0);
+    vec3 velocity = texelFetch(spheres, ivec3(texel, 1), 0).xyz;
+    ContactSide own = sideOf(cellOf(self), centre.w);
+    vec3 sum = vec3(0.0);
+    vec4 some = vec4(0.0);  // of the partners, the next one first
     for (int p = 0; p < count; ++p) {
-        int other = int(texelFetch(partners, ivec3(texel, 1 + (p >> 2)), 0)[p & 3]);
-        uvec4 otherRecord = cellRecord(other);
-        BodyRecord otherBody = bodyRecord(bodyOf(otherRecord));
-        vec3 y, w;
-        sphereOf(other, otherBody.cellSize.xyz, y, w);
-        // Both cells of a pair work out the same numbers: the lower one's less the higher one's.
-        float sign_ = self < other ? 1.0 : -1.0;
-        sum += sign_ * contactForce(ownSide, sideOf(other, otherRecord, otherBody), sign_ * (x - y), sign_ * (v - w),
-                                    latticeNeighbours(self, other, record, otherRecord), stepSize);
+        some = (p & 3) == 0 ? texelFetch(partners, ivec3(texel, 1 + (p >> 2)), 0) : some.yzwx;
+        int other = int(abs(some.x)) - 1;
+        ivec2 address = sphereAddress(other);
+        vec4 theirs = texelFetch(spheres, ivec3(address, 0), 0);
+        vec3 apart = centre.xyz - theirs.xyz;
+        float radii = centre.w + theirs.w;
+        if (dot(apart, apart) < radii * radii) {
+            // Both spheres of a pair work out the same numbers: the lower one's less the higher one's.
+            float sign_ = self < other ? 1.0 : -1.0;
+            vec3 closing = velocity - texelFetch(spheres, ivec3(address, 1), 0).xyz;
+            sum += sign_ * contactForce(own, sideOf(cellOf(other), theirs.w), sign_ * apart, sign_ * closing, some.x < 0.0,
+                                        stepSize);
+        }
     }
+#if CORNERS
     for (int k = 0; k < 8; ++k) forces[k] = vec4(0.125 * sum, 0.0);
+#else
+    force = vec4(sum, 0.0);
+#endif
 }

@@ -1,105 +1,129 @@
-// Contact search, third pass: one fragment per cell. Which cells it may touch until the next search (src/core/contact.hpp).
-#include "gather/cell_texel.glsl"
+// Contact search, last pass: one fragment per sphere. Which spheres it may touch until the next search (src/core/contact.hpp).
+#include "contact/sphere_texel.glsl"
+#include "contact/storage.glsl"
 #include "contact/grid.glsl"
+#include "contact/joined.glsl"
 #include "physics/contact.glsl"
-#include "physics/links.glsl"
 
-uniform sampler2DArray centres;  // contact/centre.frag
+uniform sampler2DArray exposed;  // contact/exposed.frag
 uniform sampler2DArray grid;     // contact/grid.glsl
-uniform sampler2DArray links;    // layers of LinkRecord
+uniform float reach;             // m, how far apart centres may be; 1.5 voxels
 uniform float searchInterval;    // s, until the next one
 
-// What a cell touches: 0 nothing, 1 something, 2 + body: that body, which it hits so fast that it would wake it.
-layout(location = 0) out vec4 summary;      // partners; N; how many there was no room for; what it touches
-layout(location = 1) out vec4 partners[5];  // numbers of cells
+// x: partners; y: of those close by, for N; z: how many there was no room for; w: what it touches: 0 nothing, 1 something, 2 + body:
+// that body, which it hits so fast that it would wake it.
+layout(location = 0) out vec4 summary;
+// Spheres' numbers, which count from 1; negative: of a cell next to this one on the lattice.
+layout(location = 1) out vec4 partners[5];
 
+const int kMostPartners = 20;
 const float kCreepSpeed = 0.3;  // cell edges/s, src/core/sleep.hpp
 
 int self;
 uvec4 record;
-vec4 centre, velocity;
-ivec4 lattice;
-float shortestEdge;  // m
-ivec3 place;  // on the lattice
-uint neighbours;
-int partnerCount = 0;
-float crowd = 0.0, dropped = 0.0, touched = 0.0;
+vec4 centre;
+vec3 velocity;
+ivec3 strides;
+uint around, joined;
+vec4 list[5];
+float listed = 0.0, close = 0.0, dropped = 0.0, touched = 0.0;
 
-// Bit (x + 1) + 3 (y + 1) + 9 (z + 1): the cell so many steps away on the lattice shares a joined node.
-uint joinedNeighbours(vec4 masks) {
-    uint result = 0u;
-    for (int corner = 0; corner < 8; ++corner) {
-        uint mask = linkMaskOf(masks, corner);
-        ivec3 own = cornerBits(corner ^ 7);
-        for (int octant = 0; octant < 8; ++octant) {
-            ivec3 offset = cornerBits(octant) - own + 1;
-            result |= (mask >> uint(octant) & 1u) << uint(offset.x + 3 * offset.y + 9 * offset.z);
-        }
+// The bit (contact/joined.glsl) of the lattice neighbour that is so many cells further on in the numbering; 0: there is none.
+uint neighbourBit(int steps) {
+    uint bits = 0u;
+    for (int i = 0; i < 9; ++i) {
+        int x = steps - (i % 3 - 1) * strides.y - (i / 3 - 1) * strides.z;
+        bits |= abs(x) <= 1 ? 1u << uint(3 * i + 1 + clamp(x, -1, 1)) : 0u;
     }
-    return result;
+    return bits & around;
 }
 
-// Whether a cell is one of them.
-bool joined(int other) {
-    int local = other - lattice.w;
-    if (local < 0 || local >= lattice.x * lattice.y * lattice.z) return false;
-    ivec3 offset = cellCoordinates(other, lattice) - place;
-    if (any(greaterThan(abs(offset), ivec3(1)))) return false;
-    return (neighbours >> uint(offset.x + 3 * offset.y + 9 * offset.z + 13) & 1u) != 0u;
+// Nothing is indexed at run time: that costs a trip to memory.
+void add(float partner) {
+    for (int i = 4; i > 0; --i) list[i] = vec4(list[i - 1].w, list[i].xyz);
+    list[0] = vec4(partner, list[0].xyz);
+    listed += 1.0;
 }
 
 void consider(int other, ivec3 voxel) {
-    if (other == self || joined(other)) return;
-    ivec2 texel = texelAddress(other);
-    vec4 theirs = texelFetch(centres, ivec3(texel, 0), 0);
-    if (voxelOf(theirs.xyz) != voxel) return;  // another voxel of the same texel
-    vec4 moving = texelFetch(centres, ivec3(texel, 1), 0);
-    float radii = centre.w + theirs.w, gap = distance(centre.xyz, theirs.xyz) - radii;
-    float margin = max(0.5 * radii, 1.1 * searchInterval * distance(velocity.xyz, moving.xyz));
-    if (gap > margin) return;
-    uint otherBody = cellRecord(other).y;
-    if (gap < kCrowdGap * min(centre.w, theirs.w)) crowd += 1.0;
-    if (gap < 0.0 && otherBody != record.y && length(velocity.xyz) > kCreepSpeed * shortestEdge)
-        touched = max(touched, float(otherBody) + 2.0);
-    touched = max(touched, 1.0);
-    if (partnerCount == 20) {
-        dropped += 1.0;
-        return;
+    ivec2 address = sphereAddress(other);
+    vec4 theirs = texelFetch(spheres, ivec3(address, 0), 0);
+    float apart = distance(centre.xyz, theirs.xyz);
+    // Another voxel may share its texel.
+    if (apart < reach && voxelOf(theirs.xyz) == voxel) {
+        float radii = centre.w + theirs.w, gap = apart - radii;
+        float speed = distance(velocity, texelFetch(spheres, ivec3(address, 1), 0).xyz);
+        uint neighbour = neighbourBit(cellOf(other) - cellOf(self));
+        if (gap < max(0.5 * radii, 1.1 * searchInterval * speed) && (neighbour & joined) == 0u) {
+            if (gap < kCrowdGap * min(centre.w, theirs.w)) close += 1.0;
+            touched = max(touched, 1.0);
+            if (gap < 0.0 && neighbour == 0u && length(velocity) > kCreepSpeed * 2.0 * centre.w) {
+                uint otherBody = cellRecord(cellOf(other)).y;
+                if (otherBody != record.y) touched = max(touched, float(otherBody) + 2.0);
+            }
+            if (listed < float(kMostPartners)) add(neighbour != 0u ? -float(other + 1) : float(other + 1));
+            else dropped += 1.0;
+        }
     }
-    vec4 slot = vec4(equal(ivec4(0, 1, 2, 3), ivec4(partnerCount & 3))) * float(other);
-    for (int layer = 0; layer < 5; ++layer)
-        if (layer == partnerCount >> 2) partners[layer] += slot;
-    ++partnerCount;
+}
+
+// Numbers that are not among the known ones; 0 instead of those that are.
+vec4 unlessAmong(vec4 numbers, vec4 known) {
+    numbers = mix(numbers, vec4(0.0), equal(numbers, known.xxxx));
+    numbers = mix(numbers, vec4(0.0), equal(numbers, known.yyyy));
+    numbers = mix(numbers, vec4(0.0), equal(numbers, known.zzzz));
+    return mix(numbers, vec4(0.0), equal(numbers, known.wwww));
+}
+float countOf(vec4 numbers) { return dot(vec4(greaterThan(numbers, vec4(0.0))), vec4(1.0)); }
+
+// All spheres in a voxel.
+void visit(ivec3 voxel) {
+    ivec2 texel = voxelTexel(voxelHash(voxel));
+    vec4 extremes = texelFetch(grid, ivec3(texel, 0), 0);
+    if (extremes.w == 0.0) return;
+    float largest = extremes.x, smallest = kNumbers - extremes.y;
+    vec4 first = vec4(largest, smallest < largest ? smallest : 0.0, 0.0, 0.0), second = vec4(0.0), third = vec4(0.0);
+    int places = 2;
+    if (extremes.w > 2.0) {
+        second = texelFetch(grid, ivec3(texel, 1), 0);
+        third = texelFetch(grid, ivec3(texel, 2), 0);
+        vec3 high = unscrambled(vec3(extremes.z, third.x, third.z)), low = unscrambled(kNumbers - vec3(0.0, third.y, third.w));
+        first.z = high.x != largest && high.x != smallest ? high.x : 0.0;
+        second = unlessAmong(second, first);
+        third = unlessAmong(unlessAmong(vec4(high.y, low.y, high.z, low.z), first), second);
+        third.zw = mix(third.zw, vec2(0.0), bvec2(third.z == third.x || third.z == third.y, third.w == third.x || third.w == third.y));
+        places = 12;
+        if (largest == float(self + 1)) dropped += extremes.w - countOf(first) - countOf(second) - countOf(third);
+    }
+    for (int i = 0; i < places; ++i) {
+        int other = int(first.x) - 1;
+        if (other >= 0 && cellOf(other) != cellOf(self)) consider(other, voxel);
+        // The next one comes first.
+        first = vec4(first.yzw, second.x);
+        second = vec4(second.yzw, third.x);
+        third = vec4(third.yzw, 0.0);
+    }
 }
 
 void main() {
-    for (int layer = 0; layer < 5; ++layer) partners[layer] = vec4(0.0);
-    summary = vec4(0.0, 1.0, 0.0, 0.0);
-    self = fragmentIndex();
-    ivec2 texel = ivec2(gl_FragCoord.xy);
-    centre = texelFetch(centres, ivec3(texel, 0), 0);
-    if (centre.w == 0.0) return;
-    velocity = texelFetch(centres, ivec3(texel, 1), 0);
-    record = cellRecord(self);
-    BodyRecord body = bodyRecord(bodyOf(record));
-    lattice = ivec4(body.lattice);
-    shortestEdge = min(body.cellSize.x, min(body.cellSize.y, body.cellSize.z));
-    place = cellCoordinates(self, lattice);
-    neighbours = joinedNeighbours(texelFetch(links, ivec3(texel, 0), 0));
-    ivec3 own = voxelOf(centre.xyz);
-    for (int i = 0; i < 27; ++i) {
-        ivec3 voxel = own + ivec3(i % 3, i / 3 % 3, i / 9) - 1;
-        ivec2 at = voxelTexel(voxel);
-        for (int half_ = 0; half_ < 2; ++half_) {
-            vec4 largest = texelFetch(grid, ivec3(at, half_), 0);
-            if (largest == vec4(0.0)) continue;
-            vec4 smallest = texelFetch(grid, ivec3(at, 2 + half_), 0);
-            for (int e = 0; e < 8; ++e) {
-                float upper = largest[e & 3], number = e < 4 ? upper : smallest[e & 3];
-                if (upper > 0.0 && (e < 4 || number < upper)) consider(int(number) - 1, voxel);
-            }
-            if (i == 13) dropped += dot(max(texelFetch(grid, ivec3(at, 4 + half_), 0) - 2.0, 0.0), vec4(1.0));
-        }
+    summary = vec4(0.0);
+    for (int i = 0; i < 5; ++i) partners[i] = list[i] = vec4(0.0);
+    if (texelFetch(exposed, ivec3(gl_FragCoord.xy, 0), 0).x == 0.0) return;
+    self = fragmentSphere();
+    centre = texelFetch(spheres, ivec3(gl_FragCoord.xy, 0), 0);
+    velocity = texelFetch(spheres, ivec3(gl_FragCoord.xy, 1), 0).xyz;
+    record = cellRecord(cellOf(self));
+    strides = cellStrides(ivec4(bodyRecord(bodyOf(record)).lattice));
+    around = latticeNeighbours(record.x);
+    joined = joinedNeighbours(linkMasksOf(cellOf(self)));
+    ivec3 low = voxelOf(centre.xyz - reach);
+    vec3 from = centre.xyz - voxelSize * vec3(low);  // of the first of 4 × 4 × 4 voxels
+    for (int i = 0; i < 64; ++i) {
+        ivec3 step_ = ivec3(i >> 4, i >> 2 & 3, i & 3);
+        vec3 begin = voxelSize * vec3(step_);
+        vec3 beside = max(max(begin - from, from - begin - voxelSize), 0.0);
+        if (dot(beside, beside) < 1.001 * reach * reach) visit(low + step_);
     }
-    summary = vec4(float(partnerCount), max(crowd, 1.0), dropped, touched);
+    summary = vec4(listed, close, dropped, touched);
+    for (int i = 0; i < 5; ++i) partners[i] = list[i];
 }

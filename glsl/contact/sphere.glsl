@@ -1,16 +1,31 @@
-// Where a cell's sphere is and how it moves: the mean of its corners. Where its nodes lie is the solver's affair: gather/node.glsl.
-#include "gather/node.glsl"
-#include "physics/contact.glsl"
+// Spheres of cells (src/core/contact.hpp). Number s of cell c is sphere c << SPHERE_BITS | s, for as many to a cell as any has in this
+// world; what a body's cells have less of has radius 0.
+#include "physics/lattice.glsl"
 
-uniform samplerBuffer rest;  // xyz: rest position of a node, m
+uniform sampler2DArray spheres;  // layer 0: centre, m; w: radius, m. Layer 1: velocity, m/s
 
-// size: of the cell, m.
-void sphereOf(int cell, vec3 size, out vec3 position, out vec3 velocity) {
-    position = texelFetch(rest, 8 * cell).xyz + 0.5 * size;
-    velocity = vec3(0.0);
-    ivec2 texel = texelAddress(cell);
-    for (int k = 0; k < 8; ++k) {
-        position += 0.125 * texelFetch(nodes, ivec3(texel, displacementLayer(k)), 0).xyz;
-        velocity += 0.125 * texelFetch(nodes, ivec3(texel, velocityLayer(k)), 0).xyz;
-    }
+int cellOf(int sphere) { return sphere >> SPHERE_BITS; }
+
+ivec2 sphereAddress(int sphere) {
+    int shift = textureShift + SPHERE_BITS;
+    return ivec2(sphere & ((1 << shift) - 1), sphere >> shift);
+}
+
+// Of a cell, along x, y and z.
+vec3 sphereCounts(BodyRecord body) {
+    int counts = int(body.events.z);
+    return vec3(counts & 15, counts >> 4 & 15, counts >> 8);
+}
+
+// Where in its cell a sphere lies, each coordinate 0 to 1, and beyond 1 where the cell has not so many.
+vec3 placeInCell(int sphere, vec3 counts) {
+    float number = float(sphere & ((1 << SPHERE_BITS) - 1));
+    float row = floor((number + 0.5) / counts.x), layer = floor((row + 0.5) / counts.y);
+    return (vec3(number - row * counts.x, row - layer * counts.y, layer) + 0.5) / counts;
+}
+
+// Trilinear weight of a corner at that place.
+float cornerWeight(vec3 place, int corner) {
+    vec3 along = mix(1.0 - place, place, notEqual(cornerBits(corner), ivec3(0)));
+    return along.x * along.y * along.z;
 }

@@ -6,7 +6,7 @@ uniform usamplerBuffer chunks;  // first cell, number of cells
 uniform sampler2DArray bonds;   // layer 0, w: 1 where damage grew
 
 #if CONTACT
-uniform sampler2DArray partners;  // layer 0: contact/search.frag
+uniform sampler2DArray summaries;  // layer 0: contact/search.frag
 #endif
 
 // Largest squared speed, m²/s²; 1 where damage grew; the largest of what its cells touch; contacts there was no room for.
@@ -22,7 +22,7 @@ void main() {
             speed = max(speed, texelFetch(nodes, ivec3(texel, velocityLayer(corner)), 0).w);
         damage = max(damage, texelFetch(bonds, ivec3(texel, 0), 0).w);
 #if CONTACT
-        vec4 summary = texelFetch(partners, ivec3(texel, 0), 0);
+        vec4 summary = texelFetch(summaries, ivec3(texel, 0), 0);
         touched = max(touched, summary.w);
         dropped += summary.z;
 #endif

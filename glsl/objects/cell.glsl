@@ -1,11 +1,6 @@
-// A cell as objects see it: a rounded box that follows its nodes. How they are stored is the solver's affair.
-#include "physics/lattice.glsl"
+// A cell as objects see it: a rounded box that follows its nodes.
+#include "contact/storage.glsl"
 #include "objects/motion.glsl"
-#if NODES_IN_BUFFER
-uniform samplerBuffer nodes;  // NodeRecord
-#else
-#include "gather/node.glsl"
-#endif
 
 uniform samplerBuffer rest;  // xyz: rest position of a node, m
 
@@ -17,15 +12,8 @@ struct CellMotion {
 CellMotion cellMotion(int cell) {
     CellMotion result;
     for (int corner = 0; corner < 8; ++corner) {
-#if NODES_IN_BUFFER
-        vec3 u = texelFetch(nodes, 2 * (8 * cell + corner)).xyz;
-        result.velocity[corner] = texelFetch(nodes, 2 * (8 * cell + corner) + 1).xyz;
-#else
-        ivec2 texel = texelAddress(cell);
-        vec3 u = texelFetch(nodes, ivec3(texel, displacementLayer(corner)), 0).xyz;
-        result.velocity[corner] = texelFetch(nodes, ivec3(texel, velocityLayer(corner)), 0).xyz;
-#endif
-        result.position[corner] = texelFetch(rest, 8 * cell + corner).xyz + u;
+        result.velocity[corner] = velocityOf(cell, corner);
+        result.position[corner] = texelFetch(rest, 8 * cell + corner).xyz + displacementOf(cell, corner);
     }
     return result;
 }

@@ -24,18 +24,10 @@ out CellForces {
 } given;
 #endif
 
-// Half a sphere's share of a cell along each axis: contactProxy() in src/core/contact.cpp.
-vec3 placeMargin(vec3 edges) {
-    float shortest = min(edges.x, min(edges.y, edges.z));
-    vec3 count = clamp(floor(min(edges / shortest, 8.0) + 0.5), 1.0, 8.0);
-    for (int i = 0; i < 16; ++i) {
-        if (count.x * count.y * count.z <= 8.0) break;
-        float most = max(count.x, max(count.y, count.z));
-        if (count.x == most) count.x -= 1.0;
-        else if (count.y == most) count.y -= 1.0;
-        else count.z -= 1.0;
-    }
-    return 0.5 / count;
+// Half a sphere's share of a cell along each axis.
+vec3 placeMargin(BodyRecord body) {
+    int counts = int(body.events.z);
+    return 0.5 / vec3(counts & 15, counts >> 4 & 15, counts >> 8);
 }
 
 void hide() { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); }
@@ -53,10 +45,10 @@ void main() {
 #endif
     int cell = pair.x;
     uvec4 record = cellRecord(cell);
-    vec3 edges = bodyRecord(bodyOf(record)).cellSize.xyz;
+    BodyRecord body = bodyRecord(bodyOf(record));
     CellMotion nodes_ = cellMotion(cell);
-    RoundedBox box = cellBox(nodes_, edges);
-    vec3 mean = meanOf(nodes_.velocity), margin = placeMargin(edges);
+    RoundedBox box = cellBox(nodes_, body.cellSize.xyz);
+    vec3 mean = meanOf(nodes_.velocity), margin = placeMargin(body);
 
     // The touches of all objects with this cell are counted, this entry's is kept.
     float cellTouches = 0.0;

@@ -1,6 +1,4 @@
-// Contact between two cells, one sphere each: src/core/contact.hpp says what and why.
-#include "physics/lattice.glsl"
-
+// Contact between two spheres of different cells: src/core/contact.hpp says what and why.
 const float kContactStiffness = 0.12;
 const float kFrictionRate = 0.3;
 const float kInelasticDamping = 0.6;
@@ -13,7 +11,7 @@ struct ContactSide {
     float damping;   // α
     float friction;  // μ
     float radius;    // m
-    float crowd;     // N
+    float crowd;     // pairs close by
 };
 
 // Force on sphere A from sphere B, N. x: A's centre less B's, m; v likewise, m/s.
@@ -22,7 +20,7 @@ vec3 contactForce(ContactSide a, ContactSide b, vec3 x, vec3 v, bool neighbours,
     float overlap = a.radius + b.radius - d;
     if (overlap <= 0.0) return vec3(0.0);
     vec3 n = d > 1.0e-9 ? x / d : vec3(0.0, 1.0, 0.0);
-    float M = a.mass * b.mass / (a.mass + b.mass) / max(a.crowd, b.crowd);
+    float M = a.mass * b.mass / (a.mass + b.mass) / max(1.0, max(a.crowd, b.crowd));
     float separating = dot(v, n);
     float f;
     if (neighbours) {
@@ -37,11 +35,4 @@ vec3 contactForce(ContactSide a, ContactSide b, vec3 x, vec3 v, bool neighbours,
     float speed = length(sliding);
     float friction = min(0.5 * (a.friction + b.friction) * f, kFrictionRate * M / h * speed);
     return f * n - (speed > 0.0 ? friction / speed : 0.0) * sliding;
-}
-
-// Whether both are cells of one body at most one step apart along every axis.
-bool latticeNeighbours(int a, int b, uvec4 recordA, uvec4 recordB) {
-    if (recordA.y != recordB.y) return false;
-    ivec4 lattice = ivec4(bodyRecord(bodyOf(recordA)).lattice);
-    return all(lessThanEqual(abs(cellCoordinates(b, lattice) - cellCoordinates(a, lattice)), ivec3(1)));
 }

@@ -33,7 +33,7 @@ struct BodyRecord {
     vec4 lattice;  // cells along x, y, z; first cell
     vec4 cellSize; // xyz: m; w: speed limit, m/s
     vec4 gravity;  // xyz: m/s²; w: exp(−drag·h)
-    vec4 events;   // first event, number of events; z unused; w: radius of a cell's spheres, m
+    vec4 events;   // first event, number of events; spheres of a cell along x, y, z: x + 16 y + 256 z; their radius, m
 };
 #define SUNDER_BODY_TEXELS 4
 

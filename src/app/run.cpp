@@ -161,9 +161,9 @@ int run(RunOptions options) {
     }
     if (const auto* shared = dynamic_cast<const BalancedSolver*>(solver.get()))
         facts.bodiesOnGpu = shared->bodiesOnGpu();
-    if (const auto* gather = dynamic_cast<const gpu::GatherSolver*>(solver.get());
-        gather && gather->droppedContacts() > 0)
-        std::cerr << "sunder: note: up to " << gather->droppedContacts()
+    if (const auto* onGpu = dynamic_cast<const gpu::GpuSolver*>(solver.get());
+        onGpu && onGpu->droppedContacts() > 0)
+        std::cerr << "sunder: note: up to " << onGpu->droppedContacts()
                   << " contacts at a time found no room and were left out; --solver cpu has room "
                      "for all\n";
     const State state = solver->state();

@@ -22,8 +22,8 @@ BalancedSolver::BalancedSolver(const World& world, const gpu::WorldBuffers& buff
       scratch_(world.initialState()) {
     if (world.description().contact)
         throw InputError(
-            "the solver auto cannot share out bodies that touch one another yet: use gather, cpu "
-            "or reference, or leave [contact] out");
+            "the solver auto cannot share out bodies that touch one another yet: use gather, "
+            "scatter, cpu or reference, or leave [contact] out");
     std::vector<int> all(world.bodies().size());
     std::iota(all.begin(), all.end(), 0);
     gather_.release(all, scratch_);

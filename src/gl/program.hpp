@@ -25,6 +25,7 @@ class Program {
     Program() = default;
     explicit Program(const ProgramDescription&);
     GLuint id() const { return handle_.id(); }
+    explicit operator bool() const { return id() != 0; }
     void use() const;
     /// −1 when the linker dropped it; GL ignores writes there.
     GLint uniform(const char* name) const;

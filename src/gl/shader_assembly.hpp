@@ -16,6 +16,12 @@ ShaderSource embeddedShaders();
 
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
+/// These and one more.
+inline Defines with(Defines defines, const char* name, const char* value) {
+    defines.push_back({name, value});
+    return defines;
+}
+
 /// The full text of a shader: `#version 410 core`, the defines, then the file with each `#include
 /// "name"` (names relative to glsl/) replaced once, with #line directives. Includes are replaced
 /// before the preprocessor looks at conditions: keep them out of #if. `#pragma once` is dropped,

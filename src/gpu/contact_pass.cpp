@@ -10,99 +10,262 @@
 namespace sunder::gpu {
 namespace {
 
-/// Two texels per cell or more.
+/// Numbers of spheres are floats in textures.
+constexpr std::int64_t kMostSpheres = (1 << 24) - 2;
+
+int sphereBits(const World& world) {
+    unsigned most = 1;
+    for (const Body& body : world.bodies())
+        most = std::max(most, static_cast<unsigned>(contactProxy(body.cellSize).spheres()));
+    return std::bit_width(most - 1);
+}
+
+int countSpheres(const World& world) {
+    const std::int64_t count = std::int64_t{world.cellCount()} << sphereBits(world);
+    if (count > kMostSpheres)
+        throw InputError("the world is too large for contact on the GPU: it would have " +
+                         std::to_string(count) + " spheres, " + std::to_string(kMostSpheres) +
+                         " are the limit; use fewer cells, the solver cpu, or leave [contact] out");
+    return static_cast<int>(count);
+}
+
+double largestRadius(const World& world) {
+    double radius = 0;
+    for (const Body& body : world.bodies())
+        radius = std::max(radius, contactProxy(body.cellSize).radius);
+    return radius;
+}
+
+/// m: how far apart centres of spheres may be to get on a list; those that close in faster than a
+/// diameter per two searches would have to be there sooner.
+double reach(const World& world) {
+    return 3 * largestRadius(world);
+}
+
+/// Few voxels share a texel.
 int gridTexels(const World& world) {
-    return static_cast<int>(std::bit_ceil(2 * static_cast<unsigned>(world.cellCount())));
+    return static_cast<int>(std::bit_ceil(4 * static_cast<unsigned>(countSpheres(world))));
+}
+int regionTexels(const World& world) {
+    return static_cast<int>(std::bit_ceil(2 * static_cast<unsigned>(countSpheres(world))));
 }
 
-/// Spheres that are a voxel apart or more are out of the margin of those that do not close in
-/// faster. The smaller the voxels, the fewer cells share an eighth of one.
-double voxelSize(const World& world) {
-    double reach = 0, radius = 0;
-    for (const Body& body : world.bodies()) {
-        const ContactProxy proxy = contactProxy(body.cellSize);
-        reach = std::max(reach, proxy.reach(body.cellSize));
-        radius = std::max(radius, proxy.radius);
-    }
-    return 2 * reach + radius;
-}
-
-void setGrid(const gl::Program& program, const World& world, int columns) {
+/// Columns and rows of a texture for that many texels, as powers of two.
+void setBits(const gl::Program& program, const char* name, int texels) {
+    const int columnBits = std::countr_zero(static_cast<unsigned>(texelColumns(texels)));
+    const int bits = std::countr_zero(static_cast<unsigned>(texels));
     program.use();
-    const int columnBits = std::countr_zero(static_cast<unsigned>(columns));
-    const int bits = std::countr_zero(static_cast<unsigned>(gridTexels(world)));
-    glUniform2i(program.uniform("gridBits"), columnBits, std::max(0, bits - columnBits));
-    glUniform1f(program.uniform("voxelSize"), static_cast<float>(voxelSize(world)));
+    glUniform2i(program.uniform(name), columnBits, std::max(0, bits - columnBits));
+}
+
+void setGrid(const gl::Program& program, const World& world) {
+    setBits(program, "gridBits", gridTexels(world));
+    glUniform1f(program.uniform("voxelSize"), static_cast<float>(2 * largestRadius(world)));
+}
+
+/// Regions are numbered along x, y, z through the box that the bodies start in, with some room
+/// around.
+void setRegions(const gl::Program& program, const World& world) {
+    const double size = 2.01 * reach(world);
+    Vec3 low = Vec3::Constant(1e30), high = -low;
+    for (const Body& body : world.bodies()) {
+        low = low.cwiseMin(body.origin);
+        high = high.cwiseMax(body.origin + body.cells.cast<double>().cwiseProduct(body.cellSize));
+    }
+    const auto extent = [&](int axis) {
+        return static_cast<int>(std::min((high[axis] - low[axis]) / size, 30000.0)) + 8;
+    };
+    setBits(program, "regionBits", regionTexels(world));
+    glUniform3i(program.uniform("regionStrides"), 1, extent(0), extent(0) * extent(1));
+    glUniform1f(program.uniform("regionSize"), static_cast<float>(size));
+}
+
+/// While it lives, nothing is drawn or cleared where the query found nothing: the GPU decides, and
+/// nobody waits.
+class WhereAny {
+  public:
+    explicit WhereAny(const gl::Query& query) {
+        glBeginConditionalRender(query.id(), GL_QUERY_WAIT);
+    }
+    ~WhereAny() { glEndConditionalRender(); }
+    WhereAny(const WhereAny&) = delete;
+    WhereAny& operator=(const WhereAny&) = delete;
+};
+
+gl::Query makeQuery() {
+    GLuint id = 0;
+    glGenQueries(1, &id);
+    return gl::Query(id);
 }
 
 }  // namespace
 
-void ContactPass::check(const World& world) {
-    for (const Body& body : world.bodies())
-        if (contactProxy(body.cellSize).spheres() > 1)
-            throw InputError("body '" + body.name +
-                             "': the solver gather has contact only between cells whose longest "
-                             "edge is less than 1.5 times the shortest; use cpu or reference, or "
-                             "leave [contact] out");
-}
-
-ContactPass::ContactPass(const World& world, int columns)
-    : centres_(world.cellCount(), columns, 2, "cell centres"),
-      grid_(gridTexels(world), texelColumns(gridTexels(world)), 6, "contact grid"),
-      partners_(world.cellCount(), columns, 6, "contact partners"),
-      centreProgram_(centres_.program(world, "contact/centre.frag")),
-      insertProgram_({.vertex = "contact/insert.vert", .fragment = "contact/insert.frag"}),
-      searchProgram_(partners_.program(world, "contact/search.frag")),
-      pushProgram_(partners_.program(world, "contact/push.frag")),
-      noAttributes_(gl::makeVertexArray()) {
-    setConstants(insertProgram_, world, columns);
-    for (const gl::Program* program : {&insertProgram_, &searchProgram_})
-        setGrid(*program, world, texelColumns(gridTexels(world)));
+ContactPass::ContactPass(const World& world, int columns, Storage storage)
+    : world_(world),
+      columns_(columns),
+      sphereBits_(gpu::sphereBits(world)),
+      defines_{{"SPHERE_BITS", std::to_string(sphereBits_)},
+               {"BUFFERS", storage == Storage::Buffers ? "1" : "0"}},
+      spheres_(countSpheres(world), columns << sphereBits_, 2, "contact spheres"),
+      regions_(regionTexels(world), texelColumns(regionTexels(world)), 2, "contact regions"),
+      exposed_(countSpheres(world), columns << sphereBits_, 1, "exposed spheres"),
+      grid_(gridTexels(world), texelColumns(gridTexels(world)), 3, "contact grid"),
+      partners_(countSpheres(world), columns << sphereBits_, 6, "contact partners"),
+      sphereProgram_(program(spheres_, "contact/spheres.frag", gl::with(defines_, "LISTED", "0"))),
+      listedProgram_(program(spheres_, "contact/spheres.frag", gl::with(defines_, "LISTED", "1"))),
+      regionProgram_({.vertex = "contact/region.vert",
+                      .fragment = "contact/region.frag",
+                      .defines = defines_}),
+      exposedProgram_(program(exposed_, "contact/exposed.frag", defines_)),
+      gridProgram_(
+          {.vertex = "contact/grid.vert", .fragment = "contact/grid.frag", .defines = defines_}),
+      searchProgram_(program(partners_, "contact/search.frag", defines_)),
+      noAttributes_(gl::makeVertexArray()),
+      anyExposed_(makeQuery()),
+      awakeSpheres_(world.bodies().size(), "awake spheres"),
+      heldSpheres_(world.bodies().size(), "held spheres"),
+      awakeCells_(world.bodies().size(), "awake cells") {
+    const bool atOnce = sphereBits_ == 0 && storage == Storage::Textures;
+    if (!atOnce) sphereForces_.emplace(countSpheres(world), columns << sphereBits_, 1, "pushes");
+    pushProgram_ =
+        program(partners_, "contact/push.frag", gl::with(defines_, "CORNERS", atOnce ? "1" : "0"));
+    if (sphereBits_ > 0) {
+        summaries_.emplace(world.cellCount(), columns, 1, "contact summaries");
+        summaryProgram_ = summaries_->program(world, "contact/summary.frag", defines_);
+        cornerProgram_ = summaries_->program(world, "contact/corners.frag", defines_);
+    }
+    for (const gl::Program* program : {&regionProgram_, &gridProgram_})
+        setConstants(*program, world, columns);
+    for (const gl::Program* program : {&regionProgram_, &exposedProgram_})
+        setRegions(*program, world);
+    for (const gl::Program* program : {&gridProgram_, &searchProgram_}) setGrid(*program, world);
     searchProgram_.use();
+    glUniform1f(searchProgram_.uniform("reach"), static_cast<float>(reach(world)));
     glUniform1f(searchProgram_.uniform("searchInterval"),
                 static_cast<float>(kContactInterval * world.step()));
 }
 
-void ContactPass::search(const TexelRanges& awake, std::span<const TexelRange> held,
-                         PassTimer* timer) {
-    {
-        const TimedPass timed(timer, "contact centres");
-        centres_.fill(centreProgram_, awake);
-    }
-    gl::bindTexture(kCentres, GL_TEXTURE_2D_ARRAY, centres_.texture());
-    {
-        const TimedPass timed(timer, "contact grid");
-        fillGrid(held);
-    }
-    gl::bindTexture(kGrid, GL_TEXTURE_2D_ARRAY, grid_.texture());
-    const TimedPass timed(timer, "contact search");
-    partners_.fill(searchProgram_, awake);
+/// One that fills a target of spheres, and knows the columns of what has a texel per cell.
+gl::Program ContactPass::program(const TexelTarget& target, const char* fragment,
+                                 gl::Defines defines) const {
+    gl::Program program = target.program(world_, fragment, std::move(defines));
+    setConstants(program, world_, columns_);
+    return program;
 }
 
-void ContactPass::fillGrid(std::span<const TexelRange> held) {
-    grid_.bind();
-    constexpr GLfloat nobody[] = {3e7f, 3e7f, 3e7f, 3e7f}, zero[] = {0, 0, 0, 0};
-    for (GLuint layer = 0; layer < 6; ++layer) {
-        const bool smallest = layer / 2 == 1;
-        glClearBufferfv(GL_COLOR, static_cast<GLint>(layer), smallest ? nobody : zero);
-        glBlendEquationi(layer, layer < 2 ? GL_MAX : smallest ? GL_MIN : GL_FUNC_ADD);
+void ContactPass::setCells(std::span<const TexelRange> awake, std::span<const TexelRange> held) {
+    const auto spheresOf = [&](std::span<const TexelRange> cells) {
+        std::vector<TexelRange> spheres;
+        for (const TexelRange& range : cells)
+            spheres.push_back({range.first << sphereBits_, range.end << sphereBits_});
+        return spheres;
+    };
+    held_ = spheresOf(held);
+    heldSpheres_.set(held_, columns_ << sphereBits_);
+    awakeSpheres_.set(spheresOf(awake), columns_ << sphereBits_);
+    awakeCells_.set(awake, columns_);
+    due_ = true;
+}
+
+void ContactPass::update(std::int64_t step, PassTimer* timer) {
+    gl::bindTexture(kSpheres, GL_TEXTURE_2D_ARRAY, spheres_.texture());
+    gl::bindTexture(kPartners, GL_TEXTURE_2D_ARRAY, partners_.texture());
+    gl::bindTexture(kSummaries, GL_TEXTURE_2D_ARRAY, summaries());
+    if (due_ || step % kContactInterval == 0) {
+        search(timer);
+        due_ = false;
+    } else {
+        const TimedPass timed(timer, "contact followed");
+        const WhereAny where(anyExposed_);
+        spheres_.fill(listedProgram_, awakeSpheres_);
     }
+}
+
+void ContactPass::search(PassTimer* timer) {
+    {
+        const TimedPass timed(timer, "contact spheres");
+        spheres_.fill(sphereProgram_, due_ ? heldSpheres_ : awakeSpheres_);
+    }
+    {
+        const TimedPass timed(timer, "contact regions");
+        fillRegions();
+    }
+    {
+        const TimedPass timed(timer, "contact exposed");
+        findExposed();
+    }
+    {
+        const TimedPass timed(timer, "contact grid");
+        const WhereAny where(anyExposed_);
+        fillGrid();
+    }
+    const TimedPass timed(timer, "contact search");
+    gl::bindTexture(kGrid, GL_TEXTURE_2D_ARRAY, grid_.texture());
+    partners_.fill(searchProgram_, awakeSpheres_);
+    if (summaries_) summaries_->fill(summaryProgram_, awakeCells_);
+}
+
+/// A point for each sphere of a held cell.
+void ContactPass::drawHeld(const gl::Program& program) const {
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
-    insertProgram_.use();
+    program.use();
     glBindVertexArray(noAttributes_.id());
-    for (const TexelRange& range : held)
+    for (const TexelRange& range : held_)
         glDrawArrays(GL_POINTS, range.first, range.end - range.first);
     glBlendEquation(GL_FUNC_ADD);
     glDisable(GL_BLEND);
 }
 
-void ContactPass::push(const TexelTarget& forces, const TexelRanges& awake) const {
-    gl::bindTexture(kPartners, GL_TEXTURE_2D_ARRAY, partners_.texture());
+void ContactPass::fillRegions() {
+    regions_.bind();
+    constexpr GLfloat nothing[] = {-1e30f, -1e30f, -1e30f, -1e30f};
+    for (const GLint layer : {0, 1}) glClearBufferfv(GL_COLOR, layer, nothing);
+    glBlendEquation(GL_MAX);
+    drawHeld(regionProgram_);
+}
+
+void ContactPass::findExposed() {
+    gl::bindTexture(kRegions, GL_TEXTURE_2D_ARRAY, regions_.texture());
+    exposed_.bind();
+    constexpr GLfloat zero[] = {0, 0, 0, 0};
+    glClearBufferfv(GL_COLOR, 0, zero);
+    glBeginQuery(GL_ANY_SAMPLES_PASSED, anyExposed_.id());
+    exposed_.fill(exposedProgram_, heldSpheres_);
+    glEndQuery(GL_ANY_SAMPLES_PASSED);
+    gl::bindTexture(kExposed, GL_TEXTURE_2D_ARRAY, exposed_.texture());
+}
+
+void ContactPass::fillGrid() {
+    grid_.bind();
+    constexpr GLfloat zero[] = {0, 0, 0, 0};
+    for (const GLint layer : {0, 1, 2}) glClearBufferfv(GL_COLOR, layer, zero);
+    glBlendEquation(GL_MAX);
+    glBlendEquationSeparatei(0, GL_MAX, GL_FUNC_ADD);
+    drawHeld(gridProgram_);
+}
+
+void ContactPass::push(const TexelTarget& corners) {
+    if (sphereForces_) push();
+    const WhereAny where(anyExposed_);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
-    forces.fill(pushProgram_, awake);
+    corners.fill(sphereForces_ ? cornerProgram_ : pushProgram_, awakeCells_);
     glDisable(GL_BLEND);
+}
+
+void ContactPass::push() {
+    const WhereAny where(anyExposed_);
+    sphereForces_->fill(pushProgram_, awakeSpheres_);
+    gl::bindTexture(kSphereForces, GL_TEXTURE_2D_ARRAY, sphereForces_->texture());
+}
+
+std::int64_t ContactPass::dropped() const {
+    double sum = 0;
+    for (const vec4& found :
+         (summaries_ ? *summaries_ : partners_).read(0, {0, world_.cellCount()}))
+        sum += found.z;
+    return std::llround(sum);
 }
 
 }  // namespace sunder::gpu

@@ -1,41 +1,82 @@
 #pragma once
+#include <cstdint>
+#include <optional>
+
 #include "core/world.hpp"
+#include "gl/timer.hpp"
 #include "gpu/pass_timer.hpp"
 #include "gpu/texel_target.hpp"
 
 namespace sunder::gpu {
 
-/// Contact between cells (core/contact.hpp) for the gather solver. Every kContactInterval steps a
-/// search: centres of the cells, a hashed grid filled by rendering a point per cell with MAX, MIN
-/// and additive blending (glsl/contact/grid.glsl; after Harada's grid in GPU Gems 3, chapter 29, in
-/// one pass), and up to twenty partners for each cell. Every step, cells that have partners add
-/// what pushes them to the forces on their corners. Both cells of a pair work out the same numbers
-/// with opposite signs, so momentum is kept to rounding; nothing is blended in an order that
-/// matters.
+/// Contact between cells (core/contact.hpp) for the GPU solvers.
+///
+/// Every kContactInterval steps a search, per sphere. First a look at large voxels, regions, by
+/// rendering a point per sphere with MAX blending: what is surrounded by nothing but joined cells
+/// of its own body touches nothing and is left out of the rest (glsl/contact/exposed.frag). Then a
+/// hashed grid, filled by rendering a point per exposed sphere (glsl/contact/grid.glsl; after
+/// Harada's grid in GPU Gems 3, chapter 29, in one pass), and up to twenty partners for each.
+///
+/// Every step, spheres that have partners are brought up to date, and what pushes them is worked
+/// out. Both spheres of a pair work out the same numbers with opposite signs, so momentum is kept
+/// to rounding; nothing is blended in an order that matters.
 class ContactPass {
   public:
-    /// Throws InputError where a body's cells are longer than thick: a voxel would not hold them
-    /// all.
-    static void check(const World& world);
-    /// columns: of the solver's textures.
-    ContactPass(const World& world, int columns);
+    /// Where the solver keeps nodes and links: glsl/contact/storage.glsl.
+    enum class Storage { Textures, Buffers };
+    /// columns: of the solver's textures, where it keeps its nodes in any. Throws InputError where
+    /// there are too many spheres.
+    ContactPass(const World& world, int columns, Storage storage);
 
-    /// Nodes, links and the world's buffers must be bound. awake: whose partners are looked for;
-    /// held: cells that can be touched.
-    void search(const TexelRanges& awake, std::span<const TexelRange> held, PassTimer* timer);
-    /// Adds to `forces`, a layer per corner. search() must have run since the awake cells changed.
-    void push(const TexelTarget& forces, const TexelRanges& awake) const;
-    /// Layer 0 says what was found (glsl/contact/search.frag).
-    const gl::Texture& partners() const { return partners_.texture(); }
+    /// awake: cells whose partners are looked for; held: those that can be touched. As
+    /// forget().
+    void setCells(std::span<const TexelRange> awake, std::span<const TexelRange> held);
+    /// What was found before counts no longer: nodes or links were changed from outside.
+    void forget() { due_ = true; }
+    /// Before the forces of a step: a search where one is due, otherwise where the spheres are now.
+    /// Nodes, links and the world's buffers must be bound.
+    void update(std::int64_t step, PassTimer* timer);
+    /// Adds what pushes to the forces on the corners of cells, one layer each.
+    void push(const TexelTarget& corners);
+    /// Works out what pushes each sphere that has partners, for glsl/contact/corner_forces.glsl.
+    void push();
+
+    /// What shaders that include glsl/contact/sphere.glsl must be compiled with.
+    const gl::Defines& defines() const { return defines_; }
+    /// Layer 0, per cell: what the last search found (glsl/contact/search.frag).
+    const gl::Texture& summaries() const {
+        return summaries_ ? summaries_->texture() : partners_.texture();
+    }
+    /// Contacts that the last search had no room for. Waits for the GPU; never inside a frame.
+    std::int64_t dropped() const;
 
   private:
-    void fillGrid(std::span<const TexelRange> held);
+    gl::Program program(const TexelTarget& target, const char* fragment, gl::Defines defines) const;
+    void search(PassTimer* timer);
+    void fillRegions();
+    void findExposed();
+    void fillGrid();
+    void drawHeld(const gl::Program& program) const;
 
-    TexelTarget centres_;   ///< per cell: glsl/contact/spheres.glsl
-    TexelTarget grid_;      ///< per voxel: glsl/contact/grid.glsl
-    TexelTarget partners_;  ///< per cell: glsl/contact/search.frag
-    gl::Program centreProgram_, insertProgram_, searchProgram_, pushProgram_;
+    const World& world_;
+    int columns_;     ///< of what has a texel per cell
+    int sphereBits_;  ///< as many spheres to a cell as any has, rounded up to a power of two
+    gl::Defines defines_;
+    TexelTarget spheres_;                      ///< glsl/contact/sphere.glsl
+    TexelTarget regions_;                      ///< glsl/contact/region.glsl
+    TexelTarget exposed_;                      ///< per sphere: glsl/contact/exposed.frag
+    TexelTarget grid_;                         ///< glsl/contact/grid.glsl
+    TexelTarget partners_;                     ///< per sphere: glsl/contact/search.frag
+    std::optional<TexelTarget> summaries_;     ///< per cell, where cells have several spheres
+    std::optional<TexelTarget> sphereForces_;  ///< unless push() writes to corners at once
+    gl::Program sphereProgram_, listedProgram_, regionProgram_, exposedProgram_, gridProgram_,
+        searchProgram_, summaryProgram_, pushProgram_, cornerProgram_;
     gl::VertexArray noAttributes_;
+    gl::Query anyExposed_;  ///< at the last search; where none is, the rest is left out
+
+    TexelRanges awakeSpheres_, heldSpheres_, awakeCells_;
+    std::vector<TexelRange> held_;  ///< spheres
+    bool due_ = true;
 };
 
 }  // namespace sunder::gpu

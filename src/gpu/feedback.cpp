@@ -8,11 +8,11 @@ namespace sunder::gpu {
 namespace {
 
 constexpr const char* kSamplers[kUnitCount] = {
-    "cells",     "bodies",     "rest",    "nodes",    "bonds",
-    "events",    "links",      "forces",  "stresses", "cumulativeForces",
-    "strengths", "rectangles", "chunks",  "records",  "centres",
-    "grid",      "partners",   "objects", "motion",   "touchCounts",
-    "impulses"};
+    "cells",        "bodies",     "rest",   "nodes",       "bonds",
+    "events",       "links",      "forces", "stresses",    "cumulativeForces",
+    "strengths",    "rectangles", "chunks", "records",     "spheres",
+    "regions",      "exposed",    "grid",   "partners",    "summaries",
+    "sphereForces", "objects",    "motion", "touchCounts", "impulses"};
 constexpr int kLawBinding = 0;
 
 }  // namespace

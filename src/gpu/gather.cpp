@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "core/contact.hpp"
 #include "core/sleep.hpp"
 
 namespace sunder::gpu {
@@ -13,11 +12,6 @@ namespace {
 gl::Defines breakDefines(const World& world) {
     return {{"BONDS_BREAK", world.bondsBreak() ? "1" : "0"},
             {"CELLS_BREAK", world.cellsBreak() ? "1" : "0"}};
-}
-
-gl::Defines with(gl::Defines defines, const char* name, const char* value) {
-    defines.push_back({name, value});
-    return defines;
 }
 
 TexelRange cellsOf(const World& world, int index) {
@@ -66,16 +60,14 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
     if (breakable_) {
         const gl::Defines defines = breakDefines(world);
         stressProgram_ =
-            nodes_[0].program(world, "gather/element.frag", with(defines, "STRESSES", "1"));
+            nodes_[0].program(world, "gather/element.frag", gl::with(defines, "STRESSES", "1"));
         bondProgram_ = bonds_[0].program(world, "gather/fracture.frag", defines);
         bondWatchUniform_ = bondProgram_.uniform("newWatch");
     }
-    if (world.description().contact) {
-        ContactPass::check(world);
-        contact_.emplace(world, columns_);
-    }
+    if (world.description().contact)
+        contact_.emplace(world, columns_, ContactPass::Storage::Textures);
     if (!world.objects().empty())
-        objects_.emplace(world, buffers, ObjectPass::Layout::Textures, columns_, forces_.rows());
+        objects_.emplace(world, buffers, ContactPass::Storage::Textures, columns_, forces_.rows());
     setState(world.initialState());
 }
 
@@ -236,18 +228,14 @@ void GatherSolver::advance(int steps) {
 }
 
 void GatherSolver::addContacts() {
-    if (searchDue_ || step_ % kContactInterval == 0) {
-        contact_->search(awake_, held_, passTimer_);
-        searchDue_ = false;
-    }
+    contact_->update(step_, passTimer_);
     const TimedPass timed(passTimer_, "contacts");
-    contact_->push(forces_, awake_);
+    contact_->push(forces_);
 }
 
 void GatherSolver::addObjects() {
     const TimedPass timed(passTimer_, "objects");
-    if (objects_->searchDue() || step_ % kContactInterval == 0) objects_->search(held_);
-    objects_->push();
+    objects_->push(step_);
     forces_.bind();
     objects_->drawForces();
 }
@@ -296,7 +284,7 @@ void GatherSolver::watch() {
     RestMonitor::News news;
     {
         const TimedPass timed(passTimer_, "rest");
-        if (contact_) gl::bindTexture(kPartners, GL_TEXTURE_2D_ARRAY, contact_->partners());
+        if (contact_) gl::bindTexture(kSummaries, GL_TEXTURE_2D_ARRAY, contact_->summaries());
         news = monitor_.look(step_);
     }
     newNodeWatch_ = newBondWatch_ = true;
@@ -364,8 +352,8 @@ void GatherSolver::bodiesChanged() {
             nextWake_ = std::min(nextWake_, nextPush(world_, index, step_));
     }
     awake_.set(rangesOf(world_, awake), columns_);
-    held_ = rangesOf(world_, held);
-    searchDue_ = true;
+    if (contact_) contact_->setCells(rangesOf(world_, awake), rangesOf(world_, held));
+    if (objects_) objects_->setCells(rangesOf(world_, held));
 }
 
 }  // namespace sunder::gpu

@@ -38,8 +38,7 @@ class GatherSolver : public GpuSolver, public BodyHost {
     bool asleep(int body) const override { return bodies_[body] == BodyState::Asleep; }
     StateView view() override;
 
-    /// Contacts that found no room in one search, at most so far; they were left out.
-    std::int64_t droppedContacts() const { return droppedContacts_; }
+    std::int64_t droppedContacts() const override { return droppedContacts_; }
 
     void adopt(const std::vector<int>& bodies, const State& state) override;
     void release(const std::vector<int>& bodies, State& state) override;
@@ -102,11 +101,9 @@ class GatherSolver : public GpuSolver, public BodyHost {
 
     std::vector<BodyState> bodies_;
     TexelRanges awake_;
-    std::vector<TexelRange> held_;  ///< cells of awake and sleeping bodies
     std::optional<ContactPass> contact_;
     std::optional<ObjectPass> objects_;
     std::int64_t droppedContacts_ = 0;
-    bool searchDue_ = true;  ///< bodies were changed from outside since the last search
     RestMonitor monitor_;
     bool newNodeWatch_ = true, newBondWatch_ = true;  ///< no step, no update since the last look
     std::int64_t nextWake_ = 0;  ///< no event acts on a sleeping body before this step

@@ -33,11 +33,11 @@ Vec3 toVec3(const vec4& v) {
 
 }  // namespace
 
-ObjectPass::ObjectPass(const World& world, const WorldBuffers& buffers, Layout layout, int columns,
-                       int rows)
+ObjectPass::ObjectPass(const World& world, const WorldBuffers& buffers,
+                       ContactPass::Storage storage, int columns, int rows)
     : world_(world),
       buffers_(buffers),
-      layout_(layout),
+      storage_(storage),
       columns_(columns),
       count_(static_cast<int>(world.objects().size())),
       motion_{TexelTarget(count_, count_, SUNDER_OBJECT_LAYERS, "objects"),
@@ -50,7 +50,7 @@ ObjectPass::ObjectPass(const World& world, const WorldBuffers& buffers, Layout l
       capture_(gl::makeTransformFeedback()),
       pairs_(gl::makeVertexArray()),
       noAttributes_(gl::makeVertexArray()) {
-    const gl::Defines nodes = {{"NODES_IN_BUFFER", layout == Layout::Buffers ? "1" : "0"}};
+    const gl::Defines nodes = {{"BUFFERS", storage == ContactPass::Storage::Buffers ? "1" : "0"}};
     searchProgram_ = gl::Program({.vertex = "objects/search.vert",
                                   .geometry = "objects/search.geom",
                                   .defines = nodes,
@@ -62,7 +62,7 @@ ObjectPass::ObjectPass(const World& world, const WorldBuffers& buffers, Layout l
     countProgram_ = pairProgram("COUNT", "", "objects/count.frag", count_, 1);
     reactionProgram_ = pairProgram("REACTION", "", "objects/reaction.frag", count_, 1);
     forceProgram_ =
-        layout == Layout::Textures
+        storage == ContactPass::Storage::Textures
             ? pairProgram("FORCE", "", "objects/force.frag", columns, rows)
             : pairProgram("FORCE", "objects/force.geom", "scatter/element.frag", columns, rows);
     amongProgram_ = objectProgram("objects/among.frag");
@@ -85,13 +85,14 @@ ObjectPass::ObjectPass(const World& world, const WorldBuffers& buffers, Layout l
 
 gl::Program ObjectPass::pairProgram(const char* what, const char* geometry, const char* fragment,
                                     int columns, int rows) const {
-    gl::Program program({.vertex = "objects/pair.vert",
-                         .geometry = geometry,
-                         .fragment = fragment,
-                         .defines = {{"NODES_IN_BUFFER", layout_ == Layout::Buffers ? "1" : "0"},
-                                     {"WHAT", what},
-                                     {"FRACTURE", "0"}},
-                         .attributes = {{"pair", 0}}});
+    gl::Program program(
+        {.vertex = "objects/pair.vert",
+         .geometry = geometry,
+         .fragment = fragment,
+         .defines = {{"BUFFERS", storage_ == ContactPass::Storage::Buffers ? "1" : "0"},
+                     {"WHAT", what},
+                     {"FRACTURE", "0"}},
+         .attributes = {{"pair", 0}}});
     setConstants(program, world_, columns_);
     glUniform2i(program.uniform("targetSize"), columns, rows);
     glUniform1f(program.uniform("targetHeight"), static_cast<float>(rows));
@@ -161,15 +162,19 @@ void ObjectPass::bind() const {
     gl::bindTexture(kMotion, GL_TEXTURE_2D_ARRAY, motion_[current_].texture());
 }
 
-void ObjectPass::search(std::span<const TexelRange> cells) {
-    bind();
+void ObjectPass::setCells(std::span<const TexelRange> cells) {
+    cells_.assign(cells.begin(), cells.end());
+    searchDue_ = true;
+}
+
+void ObjectPass::search() {
     touches_.bind();  // nothing is drawn, but a draw needs a framebuffer
     glEnable(GL_RASTERIZER_DISCARD);
     searchProgram_.use();
     glBindVertexArray(noAttributes_.id());
     glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, capture_.id());
     glBeginTransformFeedback(GL_POINTS);
-    for (const TexelRange& range : cells)
+    for (const TexelRange& range : cells_)
         glDrawArrays(GL_POINTS, range.first, range.end - range.first);
     glEndTransformFeedback();
     glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
@@ -189,8 +194,9 @@ void ObjectPass::drawObjects(const gl::Program& program) const {
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void ObjectPass::push() {
+void ObjectPass::push(std::int64_t step) {
     bind();
+    if (searchDue_ || step % kContactInterval == 0) search();
     touches_.bind();
     drawObjects(amongProgram_);
     addBlending();

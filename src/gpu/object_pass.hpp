@@ -6,6 +6,7 @@
 
 #include "core/world.hpp"
 #include "gl/fence.hpp"
+#include "gpu/contact_pass.hpp"
 #include "gpu/texel_target.hpp"
 #include "gpu/world_buffers.hpp"
 
@@ -20,14 +21,11 @@ namespace sunder::gpu {
 /// back within a frame; where objects are is known to the CPU two looks later.
 class ObjectPass {
   public:
-    /// Where the solver keeps its nodes, and what drawForces() draws into.
-    enum class Layout {
-        Textures,  ///< glsl/gather/node.glsl; a texel per cell, a layer per corner
-        Buffers,   ///< NodeRecord; a texel per node
-    };
-    /// columns, rows: of the solver's force texture. `world` and `buffers` must outlive it.
-    ObjectPass(const World& world, const WorldBuffers& buffers, Layout layout, int columns,
-               int rows);
+    /// Where the solver keeps its nodes: glsl/contact/storage.glsl. Forces are drawn into a texel
+    /// per cell and a layer per corner (Textures) or a texel per node (Buffers); columns, rows: of
+    /// those texels. `world` and `buffers` must outlive it.
+    ObjectPass(const World& world, const WorldBuffers& buffers, ContactPass::Storage storage,
+               int columns, int rows);
 
     void set(const State& state);
     /// Waits for the GPU.
@@ -37,11 +35,11 @@ class ObjectPass {
 
     /// Objects that step number `step` begins with are thrown. Returns whether any was.
     bool startStep(std::int64_t step);
-    bool searchDue() const { return searchDue_; }
-    /// Nodes and the world's buffers must be bound, here and below. cells: that can be touched.
-    void search(std::span<const TexelRange> cells);
-    /// Works out the impulses on objects.
-    void push();
+    /// cells: those that can be touched, from the next search on.
+    void setCells(std::span<const TexelRange> cells);
+    /// Finds what may touch, where that is due, and works out the impulses on objects. Nodes, links
+    /// and the world's buffers must be bound.
+    void push(std::int64_t step);
     /// Adds the forces on cells to the bound target.
     void drawForces() const;
     /// Moves the objects to the end of the step.
@@ -67,6 +65,7 @@ class ObjectPass {
                             int columns, int rows) const;
     gl::Program objectProgram(const char* fragment) const;
     void bind() const;
+    void search();
     void drawPairs(const gl::Program& program) const;
     void drawObjects(const gl::Program& program) const;
     double speedOf(int object) const;
@@ -74,7 +73,7 @@ class ObjectPass {
 
     const World& world_;
     const WorldBuffers& buffers_;
-    Layout layout_;
+    ContactPass::Storage storage_;
     int columns_, count_;
     std::array<TexelTarget, 2> motion_;  ///< ObjectMotion
     int current_ = 0;
@@ -86,6 +85,7 @@ class ObjectPass {
     gl::VertexArray pairs_, noAttributes_;
     gl::Program searchProgram_, countProgram_, reactionProgram_, forceProgram_, amongProgram_,
         moveProgram_;
+    std::vector<TexelRange> cells_;
     bool searchDue_ = true;
     std::array<Answer, kLag> answers_;
     int next_ = 0;

@@ -26,7 +26,7 @@ class RestMonitor {
         std::int64_t dropped = 0;  ///< contacts that found no room, at the last search
     };
     /// Takes the answer of the look before last and asks the GPU about the `interval()` steps
-    /// before `step`; the textures of nodes, bonds and, with contact, partners must be bound to
+    /// before `step`; the textures of nodes, bonds and, with contact, summaries must be bound to
     /// their units, and their programs be told to start anew. Waits only where the GPU is two looks
     /// behind.
     News look(std::int64_t step);

@@ -43,10 +43,6 @@ ScatterSolver::ScatterSolver(const World& world, const WorldBuffers& buffers)
           {{NodeBuffer(world), gl::makeVertexArray()}, {NodeBuffer(world), gl::makeVertexArray()}}},
       elementAttributes_(gl::makeVertexArray()),
       noAttributes_(gl::makeVertexArray()) {
-    if (world.description().contact)
-        throw InputError(
-            "the solver scatter has no contact between pieces yet: use gather, cpu or reference, "
-            "or leave [contact] out");
     for (const NodeSide& side : nodes_) {
         glBindVertexArray(side.attributes.id());
         glBindBuffer(GL_ARRAY_BUFFER, side.nodes.buffer().id());
@@ -55,6 +51,15 @@ ScatterSolver::ScatterSolver(const World& world, const WorldBuffers& buffers)
     }
     makeElementBuffer();
     makeTargets();
+    if (world.description().contact) {
+        contact_.emplace(world, width_, ContactPass::Storage::Buffers);
+        const TexelRange all{0, world.cellCount()};
+        contact_->setCells({&all, 1}, {&all, 1});
+        if (!world.objects().empty()) {
+            objects_.emplace(world, buffers, ContactPass::Storage::Buffers, width_, height_);
+            objects_->setCells({&all, 1});
+        }
+    }
     makePrograms();
     setState(world.initialState());
 }
@@ -116,8 +121,14 @@ void ScatterSolver::makePrograms() {
                                 .defines = {{"ROOM", world_.description().room ? "1" : "0"}},
                                 .feedback = {"newDisplacement", "newVelocity"},
                                 .attributes = {{"displacement", 0}, {"velocity", 1}}});
-    for (const gl::Program* program :
-         {&elementPrograms_[0], &elementPrograms_[1], &connectivityProgram_, &nodeProgram_}) {
+    if (contact_)
+        contactProgram_ = gl::Program({.vertex = "scatter/contact.vert",
+                                       .geometry = "scatter/contact.geom",
+                                       .fragment = "scatter/element.frag",
+                                       .defines = gl::with(contact_->defines(), "FRACTURE", "0")});
+    for (const gl::Program* program : {&elementPrograms_[0], &elementPrograms_[1], &contactProgram_,
+                                       &connectivityProgram_, &nodeProgram_}) {
+        if (!*program) continue;
         setConstants(*program, world_, width_);
         glUniform1f(program->uniform("targetHeight"), static_cast<float>(height_));
     }
@@ -129,6 +140,7 @@ State ScatterSolver::state() const {
     state.step = step_;
     nodes_[currentNodes_].nodes.read(state);
     bonds_.bonds().read(state);
+    if (objects_) objects_->read(state);
     return state;
 }
 
@@ -137,15 +149,22 @@ void ScatterSolver::setState(const State& state) {
     nodes_[currentNodes_].nodes.write(state);
     bindWorld(buffers_);
     bonds_.write(state, feedback_);
+    if (contact_) contact_->forget();
+    if (objects_) objects_->set(state);
 }
 
 StateView ScatterSolver::view() {
-    return {&nodes_[currentNodes_].nodes.texture(), kCorners * kNodeTexels, kNodeTexels,
-            &bonds_.bonds().texture(), kBondTexels};
+    return {&nodes_[currentNodes_].nodes.texture(),
+            kCorners * kNodeTexels,
+            kNodeTexels,
+            &bonds_.bonds().texture(),
+            kBondTexels,
+            objects_ ? &objects_->places() : nullptr};
 }
 
 void ScatterSolver::finish() {
     glFinish();
+    if (contact_) droppedContacts_ = std::max(droppedContacts_, contact_->dropped());
 }
 
 void ScatterSolver::advance(int steps) {
@@ -156,15 +175,17 @@ void ScatterSolver::advance(int steps) {
     gl::bindTexture(kForces, GL_TEXTURE_2D, forceTexture_);
     gl::bindTexture(kStresses, GL_TEXTURE_2D, stressTexture_);
     gl::bindTexture(kCumulative, GL_TEXTURE_2D, cumulativeTexture_);
-    glViewport(0, 0, width_, height_);
     glPointSize(1);
 
     for (int i = 0; i < steps; ++i, ++step_) {
         const bool fracture = breakable_ && step_ % world_.description().fractureInterval == 0;
         gl::bindTexture(kNodes, GL_TEXTURE_BUFFER, nodes_[currentNodes_].nodes.texture());
         updateElements(fracture);
+        if (contact_) addContacts();
+        if (objects_) addObjects();
         updateConnectivity();
         updateNodes(i);
+        if (objects_) objects_->move();
         if (!fracture) continue;
         const TimedPass timed(passTimer_, "bonds and links");
         bonds_.update(feedback_);
@@ -174,18 +195,49 @@ void ScatterSolver::advance(int steps) {
 void ScatterSolver::updateElements(bool fracture) {
     const TimedPass timed(passTimer_, fracture ? "elements and stresses" : "elements");
     glBindFramebuffer(GL_FRAMEBUFFER, elementTarget_.id());
+    glViewport(0, 0, width_, height_);
     drawBuffers(fracture ? 2 : 1);
     glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     constexpr float zero[4] = {0, 0, 0, 0};
     glClearBufferfv(GL_COLOR, 0, zero);
     if (fracture) glClearBufferfv(GL_COLOR, 1, zero);
+    drawForces(elementPrograms_[fracture], elementAttributes_,
+               kTetrahedraPerCell * world_.cellCount());
+}
+
+/// Adds to the bound targets; leaves the inverse masses in the first one's alpha alone.
+void ScatterSolver::drawForces(const gl::Program& program, const gl::VertexArray& attributes,
+                               int count) {
+    glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ONE);
-    elementPrograms_[fracture].use();
-    glBindVertexArray(elementAttributes_.id());
-    glDrawArrays(GL_POINTS, 0, kTetrahedraPerCell * world_.cellCount());
+    program.use();
+    glBindVertexArray(attributes.id());
+    glDrawArrays(GL_POINTS, 0, count);
     glDisable(GL_BLEND);
+    glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void ScatterSolver::addContacts() {
+    contact_->update(step_, passTimer_);
+    const TimedPass timed(passTimer_, "contacts");
+    contact_->push();
+    glBindFramebuffer(GL_FRAMEBUFFER, elementTarget_.id());
+    glViewport(0, 0, width_, height_);
+    drawBuffers(1);
+    drawForces(contactProgram_, noAttributes_, world_.cellCount());
+}
+
+void ScatterSolver::addObjects() {
+    const TimedPass timed(passTimer_, "objects");
+    objects_->startStep(step_);
+    objects_->push(step_);
+    glBindFramebuffer(GL_FRAMEBUFFER, elementTarget_.id());
+    glViewport(0, 0, width_, height_);
+    drawBuffers(1);
+    glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+    objects_->drawForces();
     glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 

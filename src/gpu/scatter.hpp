@@ -1,16 +1,20 @@
 #pragma once
 #include <array>
+#include <optional>
 
 #include "gpu/bond_pass.hpp"
+#include "gpu/contact_pass.hpp"
 #include "gpu/event_buffer.hpp"
 #include "gpu/feedback.hpp"
+#include "gpu/object_pass.hpp"
 
 namespace sunder::gpu {
 
 /// The thesis's GPU method, figure by figure: points scatter nodal forces and stresses into float
 /// textures by additive blending (6.4, 7.2), a connectivity pass adds up joined nodes (7.4), node
 /// (6.5) and fracture (7.3) updates feed back through transform feedback with ping-pong buffers.
-/// Nothing is read back while it advances.
+/// Contact is scattered by points, too: one per cell, for its nodes. Nothing is read back while it
+/// advances.
 ///
 /// Needs a current GL context for as long as it lives.
 class ScatterSolver : public GpuSolver {
@@ -25,6 +29,8 @@ class ScatterSolver : public GpuSolver {
     State state() const override;
     void setState(const State& state) override;
     StateView view() override;
+    /// In the searches that finish() came upon.
+    std::int64_t droppedContacts() const override { return droppedContacts_; }
 
   private:
     /// [current] is read, [1 − current] written.
@@ -36,7 +42,10 @@ class ScatterSolver : public GpuSolver {
     void makeElementBuffer();
     void makeTargets();
     void makePrograms();
+    void drawForces(const gl::Program& program, const gl::VertexArray& attributes, int count);
     void updateElements(bool fracture);
+    void addContacts();
+    void addObjects();
     void updateConnectivity();
     void updateNodes(int stepInFrame);
 
@@ -59,6 +68,10 @@ class ScatterSolver : public GpuSolver {
     std::array<gl::Program, 2> elementPrograms_;  ///< [1] also computes stresses
     gl::Program connectivityProgram_, nodeProgram_;
     GLint stepInFrameUniform_ = -1;
+    std::optional<ContactPass> contact_;
+    gl::Program contactProgram_;
+    std::optional<ObjectPass> objects_;
+    std::int64_t droppedContacts_ = 0;
 };
 
 }  // namespace sunder::gpu

@@ -45,8 +45,8 @@ TexelTarget::TexelTarget(int count, int columns, int layers, const char* what)
         glDrawBuffers(static_cast<GLsizei>(attachments.size()), attachments.data());
         if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
             throw ContextError(
-                "the driver cannot draw into floating-point textures, which the gather solver "
-                "needs");
+                "the driver cannot draw into floating-point textures, which the GPU solvers "
+                "need");
     }
 }
 

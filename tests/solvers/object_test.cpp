@@ -16,7 +16,7 @@ namespace {
 
 std::vector<SolverUnderTest> throwing() {
     std::vector<SolverUnderTest> result = solversUnderTest();
-    std::erase_if(result, [](const SolverUnderTest& under) { return !under.objects; });
+    std::erase_if(result, [](const SolverUnderTest& under) { return !under.contact; });
     return result;
 }
 

@@ -13,10 +13,8 @@ struct SolverUnderTest {
     /// `world` must outlive the solver.
     std::function<std::unique_ptr<sunder::Solver>(const sunder::World& world)> make;
     double epsilon;  ///< unit roundoff of its arithmetic; tolerances are stated in multiples of it
-    bool sleeps = false;       ///< lets bodies at rest sleep
-    bool contact = false;      ///< cells push each other where the world says so (core/contact.hpp)
-    bool objects = false;      ///< what is thrown at walls (core/object_contact.hpp)
-    bool longContact = false;  ///< also cells that are longer than thick
+    bool sleeps = false;   ///< lets bodies at rest sleep
+    bool contact = false;  ///< cells and objects push each other where the world says so
 };
 
 std::vector<SolverUnderTest> solversUnderTest();
