@@ -127,6 +127,7 @@ class Bench {
             Contest contest(what, entrants_, limits_, context_.get());
             Results results = contest.measure(part);
             contest.measureDrawn(results);
+            if (part == "frames" && !options_.scene.empty()) contest.measureBreaking(results);
             keep(results);
             return results;
         };
@@ -143,7 +144,7 @@ class Bench {
                          "P7450, GeForce GT 230M); CPU 66, GPU 110 (Core i7 920, Radeon HD 4870 "
                          "X2).\n";
         else
-            std::cout << '\n' << memoryText(whole);
+            std::cout << '\n' << breakingText(whole) << '\n' << memoryText(whole);
         std::cout << std::endl;
     }
 
@@ -217,7 +218,8 @@ class Bench {
         Results all;
         for (const char* name : {"peer-50x400", "peer-50x400-break"}) {
             Contest contest(hitAtOnce(loadScene(name)), entrants_, limits_, context_.get());
-            const Results results = contest.measure("peers");
+            Results results = contest.measure("peers");
+            contest.measureBreaking(results);
             all.insert(all.end(), results.begin(), results.end());
         }
         keep(all);

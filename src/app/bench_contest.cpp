@@ -244,6 +244,49 @@ void Contest::measureDrawn(std::vector<BenchResult>& results) {
         if (!samples[i].empty()) results[i].msPerFrameDrawn = median(samples[i]);
 }
 
+int Contest::breakingFrames(Lane& lane, const State& start) const {
+    lane.solver->setState(start);
+    int last = 0;
+    double before = brokenShare(world_, start);
+    for (int frame = 1; frame <= limits_.framesPerRun; ++frame) {
+        lane.solver->advance(scene_.substeps);
+        const double now = brokenShare(world_, lane.solver->state());
+        if (now > before) last = frame;
+        before = now;
+    }
+    return last;
+}
+
+void Contest::measureBreaking(std::vector<BenchResult>& results) {
+    const State start = world_.initialState();
+    std::vector<std::vector<std::vector<double>>> samples(lanes_.size());  // [lane][frame][repeat]
+    for (std::size_t i = 0; i < lanes_.size(); ++i) {
+        Lane& lane = lanes_[i];
+        const double seconds = limits_.framesPerRun * scene_.substeps * lane.stepSeconds;
+        if (lane.skipped.empty() && seconds * limits_.repeats < limits_.secondsPerCell)
+            samples[i].resize(static_cast<std::size_t>(breakingFrames(lane, start)));
+    }
+    Progress progress("breaking, " + scene_.name, limits_.repeats);
+    for (int repeat = 0; repeat < limits_.repeats; ++repeat) {
+        progress.update(repeat);
+        for (std::size_t i = 0; i < lanes_.size(); ++i) {
+            if (samples[i].empty()) continue;
+            prepare(lanes_[i], start);
+            lanes_[i].solver->setState(start);
+            lanes_[i].solver->finish();
+            for (std::vector<double>& frame : samples[i])
+                frame.push_back(1000 * timedRun(lanes_[i], scene_.substeps));
+        }
+    }
+    for (std::size_t i = 0; i < lanes_.size(); ++i) {
+        if (samples[i].empty()) continue;
+        std::vector<double> frames;
+        for (const std::vector<double>& frame : samples[i]) frames.push_back(median(frame));
+        results[i].msPerFrameBreaking = median(frames);
+        results[i].msPerFrameWorst = *std::max_element(frames.begin(), frames.end());
+    }
+}
+
 std::vector<PassResult> Contest::measurePasses() {
     std::vector<PassResult> results;
     const State start = world_.initialState();

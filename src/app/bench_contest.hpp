@@ -43,6 +43,8 @@ class Contest {
     /// Adds msPerFrameDrawn to what measure() returned: 1280 x 720, read back like `sunder run`
     /// does.
     void measureDrawn(std::vector<BenchResult>& results);
+    /// Adds msPerFrameBreaking and msPerFrameWorst to what measure() returned.
+    void measureBreaking(std::vector<BenchResult>& results);
     /// Times of the passes of the GPU solvers (gpu::PassTimer).
     std::vector<PassResult> measurePasses();
     /// The state after about this many frames, or fewer where that would take too long; by whoever
@@ -66,6 +68,8 @@ class Contest {
     void settle(Lane&, const State& start) const;
     double timedRun(Lane&, int steps) const;
     int leadSteps(const State& start) const;
+    /// Frames from the start to the last of framesPerRun that breaks a bond.
+    int breakingFrames(Lane&, const State& start) const;
 
     Scene scene_;
     World world_;

@@ -52,6 +52,8 @@ ordered_json toJson(const BenchResult& result) {
             {"ms_per_step", result.msPerStep},
             {"ms_per_frame", result.msPerFrame()},
             {"ms_per_frame_drawn", orNull(result.msPerFrameDrawn)},
+            {"ms_per_frame_breaking", orNull(result.msPerFrameBreaking)},
+            {"ms_per_frame_worst", orNull(result.msPerFrameWorst)},
             {"mtets_per_s", result.megaTetrahedraPerSecond()},
             {"ns_per_tetrahedron", result.nanosecondsPerTetrahedron()},
             {"bytes_per_tetrahedron", orNull(result.bytesPerTetrahedron)},
@@ -203,14 +205,25 @@ std::string brokenText(const Results& intact, const Results& broken) {
     return textTable(rows) + skippedText(intact);
 }
 
+std::string breakingText(const Results& results) {
+    std::vector<std::vector<std::string>> rows{
+        {"ms per frame while bonds break", "median", "worst", "worst / median"}};
+    for (const BenchResult& result : results)
+        if (result.msPerFrameBreaking)
+            rows.push_back({result.label, shortNumber(*result.msPerFrameBreaking),
+                            shortNumber(*result.msPerFrameWorst),
+                            shortNumber(*result.msPerFrameWorst / *result.msPerFrameBreaking)});
+    return rows.size() > 1 ? textTable(rows) : "";
+}
+
 std::string peersText(const Results& results) {
     std::vector<std::vector<std::string>> rows{
-        {"scene", "solver", "tetrahedra", "steps", "ms per 1/60 s", "frames/s"}};
+        {"scene", "solver", "tetrahedra", "steps", "ms per 1/60 s", "frames/s", "worst frame, ms"}};
     for (const BenchResult& result : results)
         if (result.skipped.empty())
             rows.push_back({result.scene, result.label, withCommas(result.tetrahedra),
                             std::to_string(result.stepsPerFrame), shortNumber(result.msPerFrame()),
-                            perSecond(result.msPerFrame())});
+                            perSecond(result.msPerFrame()), orDash(result.msPerFrameWorst)});
     return textTable(rows) + skippedText(results);
 }
 

@@ -20,6 +20,8 @@ std::string scalingText(const Results&);
 std::string memoryText(const Results&);
 std::string passesText(const std::vector<PassResult>&);
 std::string brokenText(const Results& intact, const Results& broken);
+/// The median and the slowest of the frames in which bonds break; empty where none was measured.
+std::string breakingText(const Results&);
 /// ms per 1/60 s.
 std::string peersText(const Results&);
 /// One line per result that was skipped, with the reason.

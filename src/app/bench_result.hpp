@@ -26,7 +26,10 @@ struct BenchResult {
     bool stiffnessLimited = false;  ///< the step does not carry a material's Young's modulus
     double msPerStep = 0;
     int stepsPerRun = 0, runs = 0;
-    std::optional<double> msPerFrameDrawn;      ///< a frame's steps and its picture
+    std::optional<double> msPerFrameDrawn;  ///< a frame's steps and its picture
+    /// Of the frames from the first one to the last that breaks a bond: their median, and the
+    /// slowest; each frame's time is the median of the runs.
+    std::optional<double> msPerFrameBreaking, msPerFrameWorst;
     std::optional<double> bytesPerTetrahedron;  ///< of the solver, beyond the world it reads
     double bondsBroken = 0;                     ///< share of all, at the start of a run
     std::string skipped;                        ///< why it was not measured; empty: it was

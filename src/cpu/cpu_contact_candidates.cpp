@@ -9,7 +9,7 @@ namespace sunder::cpu {
 namespace {
 
 /// What a sphere may move, in radii, or in searches at its speed, before candidates are renewed.
-constexpr float kLeeway = 0.4f;
+constexpr float kLeeway = 0.8f;
 constexpr float kLeewaySearches = 8;
 /// Cells of an intact body two or more apart touch only after their displacements differ by as much
 /// as lies between them; below this many edges nothing short of crushed cells comes near that.

@@ -40,10 +40,11 @@ class ContactGrid {
     template <class Test>
     void around(const Ball& large, const Test& test) const;
     std::size_t bucketOf(const Voxel& v) const {
-        return (static_cast<std::uint32_t>(v.x) * 0x8da6b343u ^
-                static_cast<std::uint32_t>(v.y) * 0xd8163841u ^
-                static_cast<std::uint32_t>(v.z) * 0xcb1ab31fu) >>
-               shift_;
+        const std::uint32_t sum = static_cast<std::uint32_t>(v.x) * 0x8da6b343u +
+                                  static_cast<std::uint32_t>(v.y) * 0xd8163841u +
+                                  static_cast<std::uint32_t>(v.z) * 0xcb1ab31fu;
+        // Mixed once more, or walls in regular rows fall into the same buckets.
+        return (sum ^ sum >> 15) * 0x2c1b3c6du >> shift_;
     }
     static bool overlap(const Ball& a, const Ball& b) {
         const float x = a.x - b.x, y = a.y - b.y, z = a.z - b.z, r = a.radius + b.radius;

@@ -23,6 +23,11 @@ void checkBenchResults(const json& report, int tetrahedra, int steps) {
         CHECK(frame == Approx(step * perFrame));
         CHECK(result.at("mtets_per_s").get<double>() == Approx(tetrahedra / step / 1000));
         CHECK(result.at("ns_per_tetrahedron").get<double>() == Approx(step * 1e6 / tetrahedra));
+        if (!result.at("ms_per_frame_worst").is_null()) {
+            CHECK(result.at("part") == "frames");
+            CHECK(result.at("ms_per_frame_breaking") > 0);
+            CHECK(result.at("ms_per_frame_worst") >= result.at("ms_per_frame_breaking"));
+        }
         CHECK(result.at("runs") >= 1);
         CHECK(result.at("steps_per_run") >= 1);
         const double broken = result.at("bonds_broken_share");

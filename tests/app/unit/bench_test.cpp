@@ -15,6 +15,7 @@ TEST_CASE("App: bench without OpenGL measures the CPU solvers and says so in one
     CHECK(contains(result.err, "CPU solvers only"));
     CHECK(result.err.find('\n') == result.err.size() - 1);
     CHECK(contains(result.out, "no OpenGL"));
+    CHECK(contains(result.out, "worst / median"));
     const json report = place.readJson("a.json");
     checkBenchResults(report, 5 * scenes::kCells, 50);
     CHECK(report.at("gl_renderer") == "");
@@ -24,6 +25,8 @@ TEST_CASE("App: bench without OpenGL measures the CPU solvers and says so in one
         reference |= entry.at("solver") == "reference";
         CHECK(entry.at("solver") != "gather");
         CHECK(entry.at("ms_per_frame_drawn").is_null());
+        const bool watched = entry.at("part") == "frames" && entry.at("solver") == "cpu";
+        if (watched) CHECK(entry.at("ms_per_frame_worst").is_number());
     }
     CHECK(reference);
 }
