@@ -1,9 +1,7 @@
-#include "draw/sky.glsl"
-#include "draw/shadow.glsl"
+#include "draw/light.glsl"
 #include "draw/lines.glsl"
 
-uniform bool grounded;  // a floor at y = 0
-uniform float wire;     // strength of the triangles' edges, 0 to 1
+uniform float wire;  // strength of the triangles' edges, 0 to 1
 
 in vec3 position;
 in vec2 facePosition;
@@ -33,13 +31,7 @@ float wireCoverage() {
 }
 
 void main() {
-    vec3 n = normalize(normal);
-    float cosine = dot(n, SUN_DIRECTION);
-    float sun = cosine > 0.0 ? cosine * sunVisibility(position, n, cosine) : 0.0;
-    vec3 ambient = mix(GROUND_LIGHT, SKY_LIGHT, 0.5 + 0.5 * n.y);
-    // Close to the floor half of the sky is hidden: that things stand on it shows even in the shade.
-    if (grounded) ambient *= 1.0 - 0.5 * exp(-8.0 * max(position.y, 0.0));
-    vec3 light = SUN_LIGHT * sun + ambient;
+    vec3 light = lightAt(position, normalize(normal));
 
     // Freshly bared material is paler than a weathered outside.
     vec3 albedo = mix(baseColour, baseColour * 1.15 + 0.03, insideFace);

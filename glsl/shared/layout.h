@@ -9,10 +9,13 @@
 #define SUNDER_CELL_ODD 512u      // i + j + k is odd: the mirrored split into tetrahedra
 #define SUNDER_CELL_SIDES_BIT 10  // six bits: the body ends on the cell's -x, -y, -z, +x, +y, +z side
 #define SUNDER_CELL_ANCHORS_BIT 16  // eight bits: corners that do not move
+#define SUNDER_CELL_RESTITUTION_BIT 24  // eight bits: restitution of its material, of 255
 // Damage of a bond that never was; a bond holds while its damage is below 1.
 #define SUNDER_NO_BOND 2.0
 // Stands for "never": no stress reaches it.
 #define SUNDER_UNBREAKABLE 1.0e30
+// m. Stands for "nowhere": a barrier that nothing comes to.
+#define SUNDER_NO_BARRIER 1.0e30
 
 #define SUNDER_LAW_GREEN 0.0
 #define SUNDER_LAW_COROTATED 1.0
@@ -41,6 +44,25 @@ struct EventRecord {
     vec4 time;         // start, end in steps from the start of this frame; zw unused
 };
 #define SUNDER_EVENT_TEXELS 3
+
+// One object (src/core/object.hpp): five texels of the texture buffer `objects` (RGBA32F).
+struct ObjectRecord {
+    vec4 shape;     // xyz: half the edges of its core, m; w: radius, m
+    vec4 inertia;   // xyz: 1/(kg·m²), about its own axes; w: 1/kg; 0: fixed
+    vec4 surface;   // friction; restitution; exp(−drag·h); length of its chain, m, 0: none
+    vec4 hungFrom;  // xyz: m; w unused
+    vec4 colour;    // xyz: linear RGB; w unused
+};
+#define SUNDER_OBJECT_TEXELS 5
+
+// An object's state: four texels, one after the other or in layers of a texture.
+struct ObjectMotion {
+    vec4 position;         // xyz: m; w: 1, or 0: not there
+    vec4 orientation;      // quaternion; w: its real part
+    vec4 velocity;         // xyz: m/s; w: 0
+    vec4 angularMomentum;  // xyz: kg·m²/s, about its centre; w: 0
+};
+#define SUNDER_OBJECT_LAYERS 4
 
 // One node in a node buffer, as transform feedback writes it: 8 floats.
 struct NodeRecord {

@@ -83,6 +83,21 @@ Diagnostics diagnose(const World& world, const State& state) {
             if (damage >= 1 && damage != kNoBond) ++d.bondsBroken;
         }
     }
+    for (std::size_t i = 0; i < state.objects.size(); ++i) {
+        const ObjectState& object = state.objects[i];
+        const double inverseMass = world.objects()[i].inverseMass;
+        if (!object.present || inverseMass == 0) continue;
+        if (!object.position.allFinite() || !object.velocity.allFinite() ||
+            !object.orientation.coeffs().allFinite() || !object.angularMomentum.allFinite()) {
+            ++d.nan;
+            continue;
+        }
+        const Vec3 momentum = object.velocity / inverseMass;
+        d.kinetic += object.kineticEnergy(world.objects()[i]);
+        d.gravity -= world.description().gravity.dot(object.position) / inverseMass;
+        d.momentum += momentum;
+        d.angularMomentum += object.position.cross(momentum) + object.angularMomentum;
+    }
     d.pieces = findPieces(world, state).count;
     return d;
 }
@@ -99,6 +114,12 @@ std::uint64_t stateHash(const State& state) {
     for (std::size_t node = 0; node < state.displacement.size(); ++node) {
         add(state.displacement[node]);
         add(state.velocity[node]);
+    }
+    for (const ObjectState& object : state.objects) {
+        add(object.position);
+        add(object.orientation.vec());
+        add(object.velocity);
+        add(object.angularMomentum);
     }
     return hash;
 }

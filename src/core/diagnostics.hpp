@@ -7,14 +7,14 @@
 
 namespace sunder {
 
-/// What `sunder run --json` says about a state.
+/// What `sunder run --json` says about a state. Energies and momenta include objects'.
 struct Diagnostics {
     double kinetic = 0, elastic = 0, gravity = 0;  ///< J; gravity is −Σ m g·x
     Vec3 momentum{0, 0, 0};                        ///< kg·m/s
     Vec3 angularMomentum{0, 0, 0};                 ///< kg·m²/s, about the world's origin
     double minY = 0;                               ///< m
     double maxSpeed = 0;                           ///< m/s
-    std::int64_t nan = 0;                          ///< nodes with a component that is not finite
+    std::int64_t nan = 0;  ///< nodes and objects with a component that is not finite
     int bondsBroken = 0;
     int pieces = 0;
 };
@@ -30,7 +30,7 @@ std::array<Mat3, kTetrahedraPerCell> cellGradients(const World&, int cell,
 double cellPrincipalStress(const World&, const State&, int cell);
 
 /// 64-bit FNV-1a over every node's displacement and velocity in single precision, little-endian, in
-/// node order.
+/// node order, then over the objects.
 std::uint64_t stateHash(const State&);
 
 }  // namespace sunder

@@ -1,5 +1,4 @@
 #include "core/world.hpp"
-#include "core/contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,6 +53,7 @@ World::World(WorldDescription description) : description_(std::move(description)
     layOutNodes();
     makeBonds();
     makeEvents();
+    makeObjects();
 }
 
 const Material& World::materialOf(int cell) const {
@@ -109,6 +109,7 @@ int World::lawFor(int materialIndex, const Vec3& cellSize) {
     law.hotViscosity = hotViscosity(law.mu, stable / E, description_.step);
     law.damageTime = m.damageLength / std::sqrt(E / m.density);
     law.maxStress = m.fracture == FractureMode::Cell ? m.maxStress : kInfinity;
+    law.restitution = std::round(255 * m.restitution) / 255;
     law.contactDamping = contactDamping(m.restitution);
     laws_.push_back(law);
     return static_cast<int>(laws_.size()) - 1;
@@ -258,6 +259,22 @@ void World::makeEvents() {
     }
 }
 
+void World::makeObjects() {
+    if (description_.objects.empty()) return;
+    if (!description_.contact)
+        throw InputError("the world has objects, but cells do not touch: enable contact");
+    if (description_.objects.size() > kMaxObjects)
+        throw InputError("the world has more than " + std::to_string(kMaxObjects) +
+                         " objects; use fewer");
+    for (const ObjectDescription& from : description_.objects) objects_.push_back(makeObject(from));
+    for (const ThrowDescription& from : description_.throws) {
+        const auto at = static_cast<std::int64_t>(std::ceil(from.time / step() - 1e-6));
+        throws_.push_back({at, from.object, thrownState(description_.objects[from.object], from)});
+    }
+    std::stable_sort(throws_.begin(), throws_.end(),
+                     [](const Throw& a, const Throw& b) { return a.step < b.step; });
+}
+
 bool World::bondsBreak() const {
     return std::any_of(bondStrength_.begin(), bondStrength_.end(),
                        [](float strength) { return std::isfinite(strength); });
@@ -279,6 +296,8 @@ State World::initialState() const {
         for (int axis = 0; axis < 3; ++axis)
             if (neighbour(cell, axis, +1) >= 0) state.damage[kBondsPerCell * cell + axis] = 0;
     }
+    for (const ObjectDescription& object : description_.objects)
+        state.objects.push_back(sunder::initialState(object));
     return state;
 }
 

@@ -1,9 +1,12 @@
 #pragma once
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/material.hpp"
+#include "core/object.hpp"
 #include "core/types.hpp"
 
 namespace sunder {
@@ -62,19 +65,29 @@ struct EventDescription {
     std::string where;  ///< for error messages, for example "wood.toml:31: event 1"
 };
 
+/// Four walls, upright without end, that nothing passes (core/room.hpp). The floor is the ground's.
+struct RoomDescription {
+    std::array<double, 2> x{-4, 4}, z{-3, 3};  ///< m, where the walls stand: low, high
+    double friction = 0.6;                     ///< Coulomb coefficient, 1, 0 to 10
+    std::optional<double> ceiling;             ///< m, its height
+};
+
 /// What a scene file says about the world, checked field by field but not yet laid out as cells and
 /// nodes.
 struct WorldDescription {
     std::vector<Material> materials;
     std::vector<BodyDescription> bodies;
     std::vector<EventDescription> events;
+    std::vector<ObjectDescription> objects;  ///< need contact
+    std::vector<ThrowDescription> throws;
     Vec3 gravity{0, -9.81, 0};    ///< m/s²
     bool ground = true;           ///< a floor at y = 0
     double groundFriction = 0.6;  ///< Coulomb coefficient, 1, 0 to 10
-    bool contact = false;         ///< whether cells push each other (core/contact.hpp)
-    double step = 1.0 / 3000;     ///< s, one substep
-    int fractureInterval = 4;     ///< substeps from one fracture update to the next, 1 to 100
-    std::uint64_t seed = 1;       ///< of the strength map
+    std::optional<RoomDescription> room;
+    bool contact = false;      ///< whether cells push each other (core/contact.hpp)
+    double step = 1.0 / 3000;  ///< s, one substep
+    int fractureInterval = 4;  ///< substeps from one fracture update to the next, 1 to 100
+    std::uint64_t seed = 1;    ///< of the strength map
 };
 
 struct Body {
@@ -109,6 +122,7 @@ struct ElementLaw {
     double stressScale = 1;     ///< S = √(E/E_eff): what an impact's stress lost to the limit
     double damageTime = 1;      ///< s, τ = ℓ_d/√(E_eff/ρ)
     double maxStress = 0;       ///< Pa; infinite unless fracture = cell
+    double restitution = 0;     ///< of the material, rounded to 1/255: what objects bounce with
     double contactDamping = 0;  ///< α of core/contact.hpp, from the material's restitution
     double hotViscosity = 0;    ///< Pa·s, of strongly deformed elements (core/elasticity.hpp)
 };
@@ -124,6 +138,13 @@ struct Event {
     double weight(std::int64_t step) const;
 };
 
+/// An object that is thrown as step number `step` begins.
+struct Throw {
+    std::int64_t step = 0;
+    int object = 0;
+    ObjectState state;
+};
+
 /// Whether a node is in an event's patch. The same single-precision operations in the same order as
 /// glsl/physics/events.glsl.
 bool insidePatch(const Event&, const Eigen::Vector3f& rest);
@@ -136,6 +157,7 @@ struct State {
     std::vector<double>
         damage;                ///< per bond; holds below 1, never decreases; kNoBond: no neighbour
     std::vector<double> slow;  ///< Pa, per bond: slow part of its traction
+    std::vector<ObjectState> objects;
 };
 
 /// Bodies laid out as cells, nodes and bonds: everything that does not change while time runs.
@@ -150,6 +172,8 @@ class World {
     const std::vector<Body>& bodies() const { return bodies_; }
     const std::vector<ElementLaw>& laws() const { return laws_; }
     const std::vector<Event>& events() const { return events_; }  ///< sorted by body
+    const std::vector<Object>& objects() const { return objects_; }
+    const std::vector<Throw>& throws() const { return throws_; }  ///< in order of time
     double step() const { return description_.step; }
 
     int cellCount() const { return static_cast<int>(cellBody_.size()); }
@@ -197,12 +221,15 @@ class World {
     void layOutNodes();
     void makeBonds();
     void makeEvents();
+    void makeObjects();
     int lawFor(int material, const Vec3& cellSize);
 
     WorldDescription description_;
     std::vector<Body> bodies_;
     std::vector<ElementLaw> laws_;
     std::vector<Event> events_;
+    std::vector<Object> objects_;
+    std::vector<Throw> throws_;
     std::vector<int> cellBody_;
     std::vector<std::int16_t> cellLaw_;
     std::vector<double> nodeMass_;

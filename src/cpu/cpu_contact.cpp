@@ -125,7 +125,10 @@ void Contact::rest() {
     active_.clear();
     tiles_.clear();
     islands_.clear();
-    for (BodyContact& body : bodies_) body.touching = body.hit = false;
+    for (BodyContact& body : bodies_) {
+        body.touching = body.hit = false;
+        body.tiles = body.cells = {};
+    }
 }
 
 /// Centres and velocities of a tile's spheres of one number.

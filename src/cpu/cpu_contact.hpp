@@ -49,6 +49,12 @@ class Contact {
     /// Whether an awake cell of another body hit this sleeping one, at the last search.
     bool hit(int body) const { return bodies_[body].hit; }
 
+    struct Box {
+        std::array<float, 3> low, high;  ///< m
+    };
+    /// Around all cells of a body that is held, as the last search found it.
+    Box boundsOf(int body) const { return {bodies_[body].low, bodies_[body].high}; }
+
     /// Awake bodies that have pairs, in groups that have none with each other.
     const std::vector<std::vector<int>>& islands() const { return islands_; }
     /// A body's share of the lists that follow() and push() go through.

@@ -10,6 +10,7 @@
 
 #include "cpu/cpu_body_run.hpp"
 #include "cpu/cpu_contact.hpp"
+#include "cpu/cpu_objects.hpp"
 #include "cpu/flush_denormals.hpp"
 
 namespace sunder {
@@ -35,7 +36,12 @@ struct CpuSolver::Runner {
     int largeCells = 0;             ///< a body or island with more of them is split
     std::vector<int> whole, split;  ///< bodies: one thread each; all threads on each in turn
     std::optional<cpu::Contact> contact;
-    std::vector<bool> touching;  ///< per body
+    std::optional<Objects> objects;
+    std::optional<cpu::ObjectCells> objectCells;
+    std::vector<bool> touching;  ///< per body: something else may touch it
+    /// Awake bodies that may touch something, in groups that have nothing to do with each other;
+    /// with objects, the first are those near one and what hangs on them.
+    std::vector<std::vector<int>> islands;
 
     /// Calls work(0) .. work(count − 1), shared out to the threads.
     template <class Work>
@@ -77,7 +83,11 @@ CpuSolver::CpuSolver(const World& world, int threads)
     if (world.description().contact) {
         std::vector<const cpu::BodyArrays*> arrays;
         for (const auto& run : bodies_) arrays.push_back(&run->arrays());
-        runner.contact.emplace(world, std::move(arrays));
+        runner.contact.emplace(world, arrays);
+        if (!world.objects().empty()) {
+            runner.objects.emplace(world);
+            runner.objectCells.emplace(world, std::move(arrays), *runner.contact);
+        }
     }
     shareOut();
     setState(world.initialState());
@@ -112,9 +122,13 @@ void CpuSolver::advance(int steps) {
             return;
         }
         for (const std::int64_t end = step_ + steps; step_ < end;) {
-            const std::int64_t next =
-                std::min(end, (step_ / kContactInterval + 1) * kContactInterval);
-            if (runner.contact->due() || step_ % kContactInterval == 0) searchContacts(next);
+            std::int64_t next = std::min(end, (step_ / kContactInterval + 1) * kContactInterval);
+            for (const Throw& thrown : world_.throws())
+                if (thrown.step > step_) next = std::min(next, thrown.step);
+            if (runner.objects) runner.objects->startStep(step_);
+            if (runner.contact->due() || step_ % kContactInterval == 0 ||
+                (runner.objects && runner.objects->searchDue()))
+                searchContacts(next);
             const auto count = static_cast<int>(next - step_);
             advanceAlone(count);
             advanceTouching(count);
@@ -150,10 +164,9 @@ void CpuSolver::advanceAlone(int steps) {
 }
 
 void CpuSolver::advanceTouching(int steps) {
-    const Runner& runner = *runner_;
-    if (!runner.contact) return;
+    Runner& runner = *runner_;
     std::vector<const std::vector<int>*> small;
-    for (const std::vector<int>& island : runner.contact->islands()) {
+    for (const std::vector<int>& island : runner.islands) {
         int cells = 0;
         for (const int body : island) cells += bodies_[body]->cells();
         if (runner.threads > 1 && cells > runner.largeCells)
@@ -164,8 +177,14 @@ void CpuSolver::advanceTouching(int steps) {
     runner.forEach(static_cast<int>(small.size()), [&](int i) { advanceIsland(steps, *small[i]); });
 }
 
+bool CpuSolver::hasObjects(const std::vector<int>& island) const {
+    return runner_->objects && &island == &runner_->islands.front();
+}
+
 void CpuSolver::advanceIsland(int steps, const std::vector<int>& bodies) {
-    cpu::Contact& contact = *runner_->contact;
+    Runner& runner = *runner_;
+    cpu::Contact& contact = *runner.contact;
+    const bool objects = hasObjects(bodies);
     const auto forAwake = [&](const auto& work) {
         for (const int body : bodies)
             if (!bodies_[body]->asleep()) work(*bodies_[body], body);
@@ -176,11 +195,13 @@ void CpuSolver::advanceIsland(int steps, const std::vector<int>& bodies) {
             run.elements(0, run.arrays().vectors);
             contact.push(contact.cellsOf(body));
         });
+        if (objects) runner.objects->push(*runner.objectCells);
         forAwake([&](BodyRun& run, int body) {
             run.nodes(0, run.arrays().vectors, 0);
             run.endStep();
             contact.follow(contact.tilesOf(body));
         });
+        if (objects) runner.objects->move();
     }
 }
 
@@ -192,6 +213,7 @@ void CpuSolver::advanceLargeIsland(int steps, const std::vector<int>& bodies) {
     };
     Runner& runner = *runner_;
     cpu::Contact& contact = *runner.contact;
+    const bool objects = hasObjects(bodies);
     std::vector<Part> parts;
     for (const int body : bodies) {
         BodyRun& run = *bodies_[body];
@@ -214,6 +236,7 @@ void CpuSolver::advanceLargeIsland(int steps, const std::vector<int>& bodies) {
             part.run->elements(part.first, part.end);
             contact.push(part.cells);
         });
+        if (objects) runner.objects->push(*runner.objectCells);
         forAwake([&](const Part& part) {
             part.run->nodes(part.first, part.end, part.number);
             contact.follow(part.tiles);
@@ -223,14 +246,17 @@ void CpuSolver::advanceLargeIsland(int steps, const std::vector<int>& bodies) {
             bodies_[body]->endStep();
             if (bodies_[body]->asleep()) contact.follow(contact.tilesOf(body));  // it stopped
         }
+        if (objects) runner.objects->move();
     }
 }
 
-/// Finds the pairs that may touch until step number `until`, and wakes bodies that are hit.
+/// Finds what may touch until step number `until`, and wakes bodies that are hit.
 void CpuSolver::searchContacts(std::int64_t until) {
     Runner& runner = *runner_;
     cpu::Contact& contact = *runner.contact;
     std::vector<cpu::Contact::BodyStatus> status(bodies_.size());
+    std::vector<bool> held;
+    for (const auto& run : bodies_) held.push_back(run->held);
     for (bool again = true; again;) {
         again = false;
         bool awake = false;
@@ -247,14 +273,35 @@ void CpuSolver::searchContacts(std::int64_t until) {
             });
         else
             contact.rest();
+        if (runner.objects) runner.objects->search(*runner.objectCells, held);
         for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
-            runner.touching[body] = contact.touching(body);
-            bodies_[body]->setTouching(contact.touching(body));
-            if (!contact.hit(body)) continue;
+            const bool near = runner.objects && runner.objects->near(body);
+            const bool hit = bodies_[body]->asleep() && runner.objects && runner.objects->hit(body);
+            runner.touching[body] = contact.touching(body) || near;
+            bodies_[body]->setTouching(runner.touching[body]);
+            if (!contact.hit(body) && !hit) continue;
             bodies_[body]->wake();
             again = true;
         }
     }
+    findIslands();
+}
+
+void CpuSolver::findIslands() {
+    Runner& runner = *runner_;
+    runner.islands = runner.contact->islands();
+    if (!runner.objects) return;
+    const auto near = [&](int body) { return runner.objects->near(body); };
+    std::vector<int> together;
+    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
+        if (near(body) && !runner.contact->touching(body)) together.push_back(body);
+    std::erase_if(runner.islands, [&](const std::vector<int>& island) {
+        if (std::none_of(island.begin(), island.end(), near)) return false;
+        together.insert(together.end(), island.begin(), island.end());
+        return true;
+    });
+    std::sort(together.begin(), together.end());
+    runner.islands.insert(runner.islands.begin(), std::move(together));
 }
 
 State CpuSolver::state() const {
@@ -262,6 +309,7 @@ State CpuSolver::state() const {
     state.step = step_;
     for (const auto& run : bodies_)
         if (run->held) run->store(state);
+    if (runner_->objects) state.objects = runner_->objects->states();
     return state;
 }
 
@@ -270,6 +318,7 @@ void CpuSolver::setState(const State& state) {
     for (const auto& run : bodies_)
         if (run->held) run->load(state);
     if (runner_->contact) runner_->contact->forget();
+    if (runner_->objects) runner_->objects->set(state.objects);
 }
 
 void CpuSolver::adopt(const std::vector<int>& bodies, const State& state) {

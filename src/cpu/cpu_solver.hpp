@@ -44,6 +44,9 @@ class CpuSolver : public Solver, public BodyHost {
     void advanceIsland(int steps, const std::vector<int>& bodies);
     void advanceLargeIsland(int steps, const std::vector<int>& bodies);
     void searchContacts(std::int64_t until);
+    void findIslands();
+    /// Whether objects advance with this island: the first one.
+    bool hasObjects(const std::vector<int>& island) const;
 
     const World& world_;
     std::int64_t step_ = 0;

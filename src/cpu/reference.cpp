@@ -10,7 +10,46 @@
 
 namespace sunder {
 
-ReferenceSolver::ReferenceSolver(const World& world) : world_(world) {
+/// The nodes as objects see them.
+class ReferenceSolver::ObjectCells : public Objects::Cells {
+  public:
+    explicit ObjectCells(ReferenceSolver& solver) : solver_(solver) {}
+
+    Bounds bounds(int body) const override {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        Bounds bounds{Vec3::Constant(infinity), Vec3::Constant(-infinity)};
+        const Body& of = solver_.world_.bodies()[body];
+        for (int cell = of.firstCell; cell < of.firstCell + of.cellCount(); ++cell) {
+            if (!solver_.world_.present(cell)) continue;
+            const CellMotion nodes = motion(cell);
+            for (const Vec3& x : nodes.position) {
+                bounds.low = bounds.low.cwiseMin(x);
+                bounds.high = bounds.high.cwiseMax(x);
+            }
+        }
+        return bounds;
+    }
+    CellMotion motion(int cell) const override {
+        CellMotion motion;
+        for (int corner = 0; corner < kCorners; ++corner) {
+            const int node = kCorners * cell + corner;
+            motion.position[corner] =
+                solver_.world_.restPosition(node) + solver_.state_.displacement[node];
+            motion.velocity[corner] = solver_.state_.velocity[node];
+        }
+        return motion;
+    }
+    void push(int cell, const std::array<double, kCorners>& weights, const Vec3& force) override {
+        for (int corner = 0; corner < kCorners; ++corner)
+            solver_.force_[kCorners * cell + corner] += weights[corner] * force;
+    }
+
+  private:
+    ReferenceSolver& solver_;
+};
+
+ReferenceSolver::ReferenceSolver(const World& world)
+    : world_(world), barriers_(barriers(world.description())) {
     for (int cell = 0; cell < world.cellCount(); ++cell) {
         if (!world.present(cell)) continue;
         for (int t = 0; t < kTetrahedraPerCell; ++t) {
@@ -42,11 +81,19 @@ ReferenceSolver::ReferenceSolver(const World& world) : world_(world) {
     cellStress_.resize(world.cellCount());
     principal_.resize(world.cellCount());
     if (world.description().contact) contact_.emplace(world);
+    if (!world.objects().empty()) objects_.emplace(world);
     setState(world.initialState());
+}
+
+State ReferenceSolver::state() const {
+    State state = state_;
+    if (objects_) state.objects = objects_->states();
+    return state;
 }
 
 void ReferenceSolver::setState(const State& state) {
     state_ = state;
+    if (objects_) objects_->set(state.objects);
     updateLinks();
     searchDue_ = true;
 }
@@ -59,7 +106,9 @@ void ReferenceSolver::advance(int steps) {
         searchDue_ = false;
         updateElements(fracture);
         if (contact_) contact_->addForces(state_, force_);
+        if (objects_) pushObjects();
         updateNodes();
+        if (objects_) objects_->move();
         if (fracture) updateFracture();
         ++state_.step;
     }
@@ -94,7 +143,15 @@ void ReferenceSolver::updateElements(bool fracture) {
     }
 }
 
-/// Symplectic Euler on joined groups, then the ground.
+void ReferenceSolver::pushObjects() {
+    ObjectCells cells(*this);
+    objects_->startStep(state_.step);
+    if (objects_->searchDue() || state_.step % kContactInterval == 0)
+        objects_->search(cells, std::vector<bool>(world_.bodies().size(), true));
+    objects_->push(cells);
+}
+
+/// Symplectic Euler on joined groups, then the barriers.
 void ReferenceSolver::updateNodes() {
     const double h = world_.step();
     std::fill(eventAcceleration_.begin(), eventAcceleration_.end(), Vec3::Zero());
@@ -127,16 +184,12 @@ void ReferenceSolver::updateNodes() {
             h * (force / mass + body.gravity + eventAcceleration_[node]);
         if (const double speed = v.norm(); speed > body.speedLimit) v *= body.speedLimit / speed;
         Vec3 next = u + h * v;
-        const double restY = world_.restPosition(node)[1];
-        if (world_.description().ground && restY + next[1] < 0) {
-            // The ground takes all of v_y; Coulomb friction takes at most μ times as much of the
-            // rest.
-            const double tangential = std::hypot(v[0], v[2]);
-            const double taken = world_.description().groundFriction * std::max(0.0, -v[1]);
-            const double kept = tangential > taken ? 1 - taken / tangential : 0;
-            v = {kept * v[0], 0, kept * v[2]};
+        const Vec3 rest = world_.restPosition(node);
+        for (const Barrier& barrier : barriers_) {
+            if (barrier.distance(rest + next) >= 0) continue;
+            v = barrier.stopped(v);
+            u[barrier.axis] = barrier.place - rest[barrier.axis];
             next = u + h * v;
-            next[1] = -restY;
         }
         u = next;
     }

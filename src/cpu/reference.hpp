@@ -3,7 +3,9 @@
 #include <optional>
 
 #include "core/elasticity.hpp"
+#include "core/room.hpp"
 #include "core/solver.hpp"
+#include "cpu/objects.hpp"
 #include "cpu/reference_contact.hpp"
 
 namespace sunder {
@@ -16,7 +18,7 @@ class ReferenceSolver : public Solver {
 
     std::string_view name() const override { return "reference"; }
     void advance(int steps) override;
-    State state() const override { return state_; }
+    State state() const override;
     void setState(const State& state) override;
 
   private:
@@ -30,7 +32,10 @@ class ReferenceSolver : public Solver {
     /// Stress of a corner tetrahedron in the material frame, T = sym(RᵀP), by cell and apex.
     using CellStress = std::array<Mat3, kCorners>;
 
+    class ObjectCells;
+
     void updateElements(bool fracture);
+    void pushObjects();
     void updateNodes();
     void updateFracture();
     void breakCells();
@@ -39,6 +44,7 @@ class ReferenceSolver : public Solver {
     double equivalentTraction(int cell, int axis, const ElementLaw&, double interval);
 
     const World& world_;
+    std::vector<Barrier> barriers_;
     std::vector<Element> elements_;
     std::vector<std::vector<int>> eventNodes_;  ///< nodes in each event's patch
     std::vector<Vec3> eventAcceleration_;       ///< m/s², per node, of the step in progress
@@ -48,6 +54,7 @@ class ReferenceSolver : public Solver {
     std::vector<CellStress> cellStress_;  ///< valid after updateElements(true)
     std::vector<double> principal_;       ///< Pa, per cell, likewise
     std::optional<ReferenceContact> contact_;
+    std::optional<Objects> objects_;
     bool searchDue_ = true;  ///< the state was set: pairs are unknown
 };
 

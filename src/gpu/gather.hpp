@@ -7,6 +7,7 @@
 #include "gpu/contact_pass.hpp"
 #include "gpu/event_buffer.hpp"
 #include "gpu/feedback.hpp"
+#include "gpu/object_pass.hpp"
 #include "gpu/rest_monitor.hpp"
 #include "gpu/texel_target.hpp"
 
@@ -68,9 +69,13 @@ class GatherSolver : public GpuSolver, public BodyHost {
     void watch();
     void fallAsleep(const std::vector<int>& bodies);
     void wakePushed();
+    void wakeThreatened();
     void wake(int body);
     void bodiesChanged();
     void addContacts();
+    void addObjects();
+    /// Whether anything changes in a step: bodies that are awake, objects that move.
+    bool moving() const;
     void updateBonds();
     void updateLinks();
     void updateNodes(bool events, int stepInFrame);
@@ -96,7 +101,9 @@ class GatherSolver : public GpuSolver, public BodyHost {
 
     std::vector<BodyState> bodies_;
     TexelRanges awake_;
+    std::vector<TexelRange> held_;  ///< cells of awake and sleeping bodies
     std::optional<ContactPass> contact_;
+    std::optional<ObjectPass> objects_;
     std::int64_t droppedContacts_ = 0;
     RestMonitor monitor_;
     bool newNodeWatch_ = true, newBondWatch_ = true;  ///< no step, no update since the last look

@@ -41,6 +41,9 @@ gl::Buffer makeCells(const World& world) {
         for (int corner = 0; corner < kCorners; ++corner)
             bits |= unsigned{world.anchored(kCorners * cell + corner)}
                     << (SUNDER_CELL_ANCHORS_BIT + corner);
+        if (world.present(cell))
+            bits |= static_cast<unsigned>(255 * world.laws()[world.lawOf(cell)].restitution + 0.5)
+                    << SUNDER_CELL_RESTITUTION_BIT;
         const auto damping = static_cast<float>(
             world.present(cell) ? world.laws()[world.lawOf(cell)].contactDamping : 0);
         const auto mass = static_cast<float>(world.nodeMass(kCorners * cell));
@@ -77,6 +80,19 @@ gl::Buffer makeStrengths(const World& world) {
     return gl::makeBuffer<vec4>(strengths, GL_STATIC_DRAW, "bond strengths");
 }
 
+gl::Buffer makeObjects(const World& world) {
+    std::vector<ObjectRecord> objects(std::max<std::size_t>(1, world.objects().size()));
+    for (std::size_t i = 0; i < world.objects().size(); ++i) {
+        const Object& object = world.objects()[i];
+        objects[i] = {
+            toVec4(object.core, object.radius), toVec4(object.inverseInertia, object.inverseMass),
+            toVec4({object.friction, object.restitution, std::exp(-object.drag * world.step())},
+                   object.chain),
+            toVec4(object.hungFrom, 0), toVec4(world.description().objects[i].colour, 0)};
+    }
+    return gl::makeBuffer<ObjectRecord>(objects, GL_STATIC_DRAW, "objects");
+}
+
 gl::Buffer makeLaws(const World& world) {
     std::vector<ElementLaw> laws(SUNDER_MAX_ELEMENT_LAWS);
     for (std::size_t i = 0; i < world.laws().size(); ++i) {
@@ -99,19 +115,24 @@ gl::Buffer makeLaws(const World& world) {
 
 static_assert(SUNDER_MAX_ELEMENT_LAWS == kMaxElementLaws && SUNDER_NO_BOND == kNoBond);
 static_assert(sizeof(BodyRecord) == 16 * SUNDER_BODY_TEXELS &&
-              sizeof(EventRecord) == 16 * SUNDER_EVENT_TEXELS);
+              sizeof(EventRecord) == 16 * SUNDER_EVENT_TEXELS &&
+              sizeof(ObjectRecord) == 16 * SUNDER_OBJECT_TEXELS &&
+              sizeof(ObjectMotion) == 16 * SUNDER_OBJECT_LAYERS);
 
 WorldBuffers::WorldBuffers(const World& world)
     : cellCount_(world.cellCount()),
+      objectCount_(static_cast<int>(world.objects().size())),
       restBuffer_(makeRest(world)),
       cellBuffer_(makeCells(world)),
       bodyBuffer_(makeBodies(world)),
       strengthBuffer_(makeStrengths(world)),
+      objectBuffer_(makeObjects(world)),
       lawBuffer_(makeLaws(world)),
       restTexture_(gl::makeBufferTexture(restBuffer_, GL_RGBA32F, "rest positions")),
       cellTexture_(gl::makeBufferTexture(cellBuffer_, GL_RGBA32UI, "cells")),
       bodyTexture_(gl::makeBufferTexture(bodyBuffer_, GL_RGBA32F, "bodies")),
-      strengthTexture_(gl::makeBufferTexture(strengthBuffer_, GL_RGBA32F, "bond strengths")) {}
+      strengthTexture_(gl::makeBufferTexture(strengthBuffer_, GL_RGBA32F, "bond strengths")),
+      objectTexture_(gl::makeBufferTexture(objectBuffer_, GL_RGBA32F, "objects")) {}
 
 NodeBuffer::NodeBuffer(const World& world)
     : restHeights_(restHeights(world)),
@@ -162,12 +183,30 @@ void BondBuffer::read(State& state) const {
         }
 }
 
-StateUpload::StateUpload(const World& world) : nodes_(world), bonds_(world) {}
+ObjectPlaces::ObjectPlaces(const World& world) {
+    const std::size_t count = world.objects().size();
+    if (count == 0) return;
+    buffer_ = gl::Buffer(2 * count * sizeof(vec4), nullptr, GL_DYNAMIC_COPY, "object places");
+    texture_ = gl::makeBufferTexture(buffer_, GL_RGBA32F, "object places");
+}
+
+void ObjectPlaces::write(const State& state) {
+    std::vector<vec4> texels;
+    for (const ObjectState& object : state.objects)
+        texels.push_back(toVec4(object.position, object.present ? 1 : 0));
+    for (const ObjectState& object : state.objects)
+        texels.push_back(toVec4(object.orientation.vec(), object.orientation.w()));
+    if (!texels.empty()) buffer_.write(0, sizeof(vec4) * texels.size(), texels.data());
+}
+
+StateUpload::StateUpload(const World& world) : nodes_(world), bonds_(world), objects_(world) {}
 
 StateView StateUpload::upload(const State& state) {
     nodes_.write(state);
     bonds_.write(state);
-    return {&nodes_.texture(), kCorners * kNodeTexels, kNodeTexels, &bonds_.texture(), kBondTexels};
+    objects_.write(state);
+    return {&nodes_.texture(), kCorners * kNodeTexels, kNodeTexels, &bonds_.texture(),
+            kBondTexels,       objects_.texture()};
 }
 
 }  // namespace sunder::gpu

@@ -23,13 +23,16 @@ class WorldBuffers {
     /// Texture buffer, RGBA32F, one texel per cell: strengths of the bonds it owns (Pa);
     /// friction.
     const gl::Texture& strengths() const { return strengthTexture_; }
+    /// Texture buffer, RGBA32F, SUNDER_OBJECT_TEXELS per object (ObjectRecord).
+    const gl::Texture& objects() const { return objectTexture_; }
+    int objectCount() const { return objectCount_; }
     /// Uniform block ElementLaws.
     const gl::Buffer& laws() const { return lawBuffer_; }
 
   private:
-    int cellCount_;
-    gl::Buffer restBuffer_, cellBuffer_, bodyBuffer_, strengthBuffer_, lawBuffer_;
-    gl::Texture restTexture_, cellTexture_, bodyTexture_, strengthTexture_;
+    int cellCount_, objectCount_;
+    gl::Buffer restBuffer_, cellBuffer_, bodyBuffer_, strengthBuffer_, objectBuffer_, lawBuffer_;
+    gl::Texture restTexture_, cellTexture_, bodyTexture_, strengthTexture_, objectTexture_;
 };
 
 /// Displacements and velocities on the GPU (NodeRecord): what transform feedback writes and
@@ -70,6 +73,23 @@ struct StateView {
     int cellStride, cornerStride;      ///< texels from one cell's to the next, one corner's
     const gl::Texture* damage;  ///< texture buffer, RGBA32F; xyz: of the bonds each cell owns
     int damageStride;           ///< texels from one cell's to the next
+    /// Texture buffer, RGBA32F: for every object its position (m; w: 1, or 0: not there), then for
+    /// every object its orientation (quaternion). Null where the world has none.
+    const gl::Texture* objects = nullptr;
+};
+
+/// Where objects are, for drawing: StateView::objects.
+class ObjectPlaces {
+  public:
+    explicit ObjectPlaces(const World&);  ///< contents undefined
+    /// Null where the world has no objects.
+    const gl::Texture* texture() const { return buffer_.size() > 0 ? &texture_ : nullptr; }
+    const gl::Buffer& buffer() const { return buffer_; }
+    void write(const State&);
+
+  private:
+    gl::Buffer buffer_;
+    gl::Texture texture_;
 };
 
 /// A solver whose state lives on the GPU.
@@ -95,6 +115,7 @@ class StateUpload {
   private:
     NodeBuffer nodes_;
     BondBuffer bonds_;
+    ObjectPlaces objects_;
 };
 
 }  // namespace sunder::gpu

@@ -1,8 +1,11 @@
 #include "render/renderer.hpp"
 
+#include <optional>
+
 #include "render/backdrop.hpp"
 #include "render/camera.hpp"
 #include "render/cell_pass.hpp"
+#include "render/object_pass.hpp"
 #include "render/picture_target.hpp"
 #include "render/scene_bounds.hpp"
 #include "render/shadow_map.hpp"
@@ -48,39 +51,66 @@ class DrawingState {
 
 }  // namespace
 
+/// Passes of one kind: one per way of drawing.
+template <typename Pass>
+struct Passes {
+    Pass depth, shaded, lines;
+
+    template <typename... Arguments>
+    explicit Passes(const Arguments&... arguments)
+        : depth(CellPass::Output::Depth, arguments...),
+          shaded(CellPass::Output::Shaded, arguments...),
+          lines(CellPass::Output::Lines, arguments...) {}
+};
+
 struct Renderer::Impl {
     SceneBounds bounds;
     gl::VertexArray noAttributes = gl::makeVertexArray();
     ShadowMap shadows;
     Backdrop backdrop;
-    CellPass depth, shaded, lines;
+    Passes<CellPass> cells;
+    std::optional<Passes<ObjectPass>> objects;  ///< where the world has any
     PictureTarget target;
 
     Impl(const World& world, const gpu::WorldBuffers& buffers)
         : bounds(sceneBounds(world)),
           shadows(bounds),
           backdrop(bounds, noAttributes),
-          depth(CellPass::Output::Depth, buffers, noAttributes),
-          shaded(CellPass::Output::Shaded, buffers, noAttributes),
-          lines(CellPass::Output::Lines, buffers, noAttributes) {}
+          cells(buffers, noAttributes) {
+        if (!world.objects().empty()) objects.emplace(world, buffers, noAttributes);
+    }
 
     void drawShadows(const gpu::StateView& state) const {
         shadows.begin();
         // What stands between the sun and the map's box is flattened onto its front instead of
         // being cut off.
         glEnable(GL_DEPTH_CLAMP);
-        depth.begin();
-        depth.draw(state, shadows.lightMatrix());
+        cells.depth.begin();
+        cells.depth.draw(state, shadows.lightMatrix());
+        if (objects) {
+            objects->depth.begin();
+            objects->depth.draw(state, shadows.lightMatrix());
+        }
         glDisable(GL_DEPTH_CLAMP);
+    }
+
+    /// What draw/light.glsl reads.
+    void setLight(const gl::Program& program) const {
+        shadows.bind(program);
+        setUniform(program, "grounded", bounds.ground);
     }
 
     void drawSolid(const gpu::StateView& state, const Camera& camera, float wire) const {
         glEnable(GL_CULL_FACE);
-        const gl::Program& program = shaded.begin();
-        shadows.bind(program);
+        const gl::Program& program = cells.shaded.begin();
+        setLight(program);
         setUniform(program, "wire", wire);
-        setUniform(program, "grounded", bounds.ground);
-        shaded.draw(state, camera.viewProjection());
+        cells.shaded.draw(state, camera.viewProjection());
+        if (!objects) return;
+        const gl::Program& smooth = objects->shaded.begin();
+        setLight(smooth);
+        setUniform(smooth, "eye", camera.eye);
+        objects->shaded.draw(state, camera.viewProjection());
     }
 
     /// Lines hide nothing, so that the far side shows through.
@@ -91,8 +121,11 @@ struct Renderer::Impl {
         glBlendEquation(GL_FUNC_ADD);
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
         glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-        setUniform(lines.begin(), "eye", camera.eye);
-        lines.draw(state, camera.viewProjection());
+        setUniform(cells.lines.begin(), "eye", camera.eye);
+        cells.lines.draw(state, camera.viewProjection());
+        if (!objects) return;
+        setUniform(objects->lines.begin(), "eye", camera.eye);
+        objects->lines.draw(state, camera.viewProjection());
     }
 };
 

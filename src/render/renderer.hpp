@@ -21,7 +21,7 @@ struct RenderSettings {
 
 /// Draws a world's simulation mesh (thesis, figure 6.6): sky, ground, sun with shadow, walls whose
 /// faces and flat normals a geometry shader makes from the node buffer. Cracks (broken bonds
-/// between faces that still touch) show as dark lines.
+/// between faces that still touch) show as dark lines. Objects are smooth.
 class Renderer {
   public:
     Renderer(const World&, const gpu::WorldBuffers&);

@@ -8,10 +8,20 @@ namespace sunder {
 // Set a uniform of the program in use.
 void setUniform(const gl::Program&, const char* name, const glm::mat4&);
 void setUniform(const gl::Program&, const char* name, const glm::vec3&);
+void setUniform(const gl::Program&, const char* name, const glm::vec4&);
 void setUniform(const gl::Program&, const char* name, float);
 void setUniform(const gl::Program&, const char* name, bool);
 
 /// Texture units of the drawing shaders.
-enum TextureUnit { kCellUnit, kBodyUnit, kBondUnit, kNodeUnit, kRestUnit, kShadowUnit };
+enum TextureUnit {
+    kCellUnit,
+    kBodyUnit,
+    kBondUnit,
+    kNodeUnit,
+    kRestUnit,
+    kShadowUnit,
+    kObjectUnit,
+    kPlaceUnit
+};
 
 }  // namespace sunder

@@ -1,24 +1,46 @@
 #include "scene/event_reader.hpp"
 
 #include "scene/limits.hpp"
+#include "scene/object_reader.hpp"
 #include "scene/wording.hpp"
 
 namespace sunder {
 namespace {
 
-// In the order of EventDescription::Kind.
-constexpr std::string_view kKinds[] = {"impulse", "force", "velocity"};
+// In the order of EventDescription::Kind; then what happens to objects.
+constexpr std::string_view kKinds[] = {"impulse", "force", "velocity", "throw"};
+constexpr std::size_t kThrow = 3;
 constexpr std::string_view kUnits[] = {"N·s", "N", "m/s"};
+constexpr std::string_view kPushKeys[] = {"body", "point", "radius", "vector", "duration"};
+constexpr std::string_view kThrowKeys[] = {"object", "from", "velocity", "spin"};
+
+/// Keys that belong to another kind of event.
+void refuse(const TableReader& reader, std::span<const std::string_view> keys, std::size_t kind) {
+    for (const std::string_view key : keys)
+        if (reader.has(key))
+            reader.fail(key, "an event of kind " + inQuotes(kKinds[kind]) + " has no " +
+                                 inQuotes(key) + "; leave it out, or change kind");
+}
 
 }  // namespace
 
 void readEvents(const TableReader& scene, const BodyReader& bodies, WorldDescription& world) {
-    const TableReader::Keys keys{"time", "kind", "body", "point", "radius", "vector", "duration"};
+    TableReader::Keys keys{"time", "kind"};
+    keys.insert(keys.end(), std::begin(kPushKeys), std::end(kPushKeys));
+    keys.insert(keys.end(), std::begin(kThrowKeys), std::end(kThrowKeys));
     for (const TableReader& reader : scene.tables("event", keys, kMaxEvents)) {
         EventDescription event;
         event.where = reader.where();
         reader.require("kind", "one of " + joined(kKinds));
         const std::size_t kind = *reader.readChoice("kind", kKinds);
+        refuse(reader,
+               kind == kThrow ? std::span<const std::string_view>(kPushKeys)
+                              : std::span<const std::string_view>(kThrowKeys),
+               kind);
+        if (kind == kThrow) {
+            readThrow(reader, world);
+            continue;
+        }
         event.kind = static_cast<EventDescription::Kind>(kind);
         const std::string unit(kUnits[kind]);
         reader.require("time", "when it starts, in s");

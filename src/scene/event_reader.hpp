@@ -5,7 +5,8 @@
 
 namespace sunder {
 
-/// Reads the [[event]] tables into world.events. `bodies` must have read the scene's bodies.
+/// Reads the [[event]] tables into world.events and world.throws. `bodies` must have read the
+/// scene's bodies; the objects must have been read.
 void readEvents(const TableReader& scene, const BodyReader& bodies, WorldDescription& world);
 
 }  // namespace sunder

@@ -4,6 +4,7 @@
 #include "scene/event_reader.hpp"
 #include "scene/limits.hpp"
 #include "scene/material_file.hpp"
+#include "scene/object_reader.hpp"
 #include "scene/presets.hpp"
 #include "scene/scene.hpp"
 #include "scene/table_reader.hpp"
@@ -28,9 +29,31 @@ void readGround(const TableReader& root, WorldDescription& world) {
     }
 }
 
+void readRoom(const TableReader& root, WorldDescription& world) {
+    const auto table = root.table("room", {"x", "z", "friction", "ceiling"});
+    if (!table) return;
+    RoomDescription& room = world.room.emplace();
+    const Range coordinate{-kMaxLength, kMaxLength, "m"};
+    for (const auto& [key, walls] : {std::pair{"x", &room.x}, {"z", &room.z}}) {
+        table->require(key, "[low, high] in m, where the walls stand");
+        table->read(key, *walls, coordinate);
+    }
+    room.friction = world.groundFriction;
+    table->read("friction", room.friction, {0, 10});
+    double ceiling = 0;
+    if (table->read("ceiling", ceiling, {0, kMaxLength, "m", true})) room.ceiling = ceiling;
+}
+
+/// Objects are nothing without contact: they turn it on.
 void readContact(const TableReader& root, WorldDescription& world) {
-    if (const auto contact = root.table("contact", {"enabled"}))
-        contact->read("enabled", world.contact);
+    world.contact = !world.objects.empty();
+    const auto contact = root.table("contact", {"enabled"});
+    if (!contact) return;
+    contact->read("enabled", world.contact);
+    if (!world.contact && !world.objects.empty())
+        contact->fail("enabled",
+                      "the scene has objects, which touch nothing without contact; leave enabled "
+                      "out, or remove the objects");
 }
 
 void readCamera(const TableReader& root, CameraDescription& camera) {
@@ -51,8 +74,8 @@ Scene parseScene(std::string_view text, const std::string& file,
                  const std::filesystem::path& folder) {
     const toml::table document = parseToml(text, file);
     const TableReader root(document, file, "the scene",
-                           {"title", "frames", "gravity", "seed", "solver", "ground", "contact",
-                            "camera", "material", "body", "event"});
+                           {"title", "frames", "gravity", "seed", "solver", "ground", "room",
+                            "contact", "camera", "material", "body", "object", "event"});
     Scene scene;
     scene.name = std::filesystem::path(file).stem().string();
     scene.title = scene.name;
@@ -65,6 +88,8 @@ Scene parseScene(std::string_view text, const std::string& file,
     world.seed = static_cast<std::uint64_t>(seed);
     readSolver(root, scene);
     readGround(root, world);
+    readObjects(root, world);
+    readRoom(root, world);
     readContact(root, world);
     readCamera(root, scene.camera);
 

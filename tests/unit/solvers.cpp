@@ -10,11 +10,11 @@ std::vector<SolverUnderTest> solversUnderTest() {
          [](const World& world) -> std::unique_ptr<Solver> {
              return std::make_unique<ReferenceSolver>(world);
          },
-         1.2e-16, false, true},
+         1.2e-16, false, true, true},
         {"cpu",
          [](const World& world) -> std::unique_ptr<Solver> {
              return std::make_unique<CpuSolver>(world);
          },
-         6e-8, true, true},
+         6e-8, true, true, true},
     };
 }

@@ -1,0 +1,81 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace sunder {
+
+/// Cells and objects know each other by numbers that fit into a byte on the GPU.
+inline constexpr int kMaxObjects = 250;
+
+enum class ObjectShape { Sphere, Box, Capsule };
+
+/// A rigid body that is no wall: something thrown, something hanging, an obstacle.
+struct ObjectDescription {
+    std::string name;
+    ObjectShape shape = ObjectShape::Sphere;
+    /// m: half the edges of a box. Sphere: the radius, three times. Capsule: radius, half of the
+    /// whole length along its y axis, radius.
+    Vec3 halfSize{0.1, 0.1, 0.1};
+    double mass = 1;               ///< kg
+    std::optional<Vec3> position;  ///< m, of its centre; none: not there until it is thrown
+    Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+    Vec3 velocity{0, 0, 0};         ///< m/s
+    Vec3 spin{0, 0, 0};             ///< rad/s, about the world's axes
+    double friction = 0.5;          ///< Coulomb μ, 1; with a material or another object: the mean
+    double restitution = 0.3;       ///< e, 1, 0 to 1; likewise
+    double drag = 0.05;             ///< 1/s, of motion and spin
+    bool fixed = false;             ///< an obstacle: never moves
+    std::optional<Vec3> hungFrom;   ///< m: on a chain from here, as long as the way there at first
+    Vec3 colour{0.25, 0.25, 0.28};  ///< linear RGB
+};
+
+/// Puts an object somewhere and gives it a velocity.
+struct ThrowDescription {
+    double time = 0;  ///< s
+    int object = 0;
+    Vec3 from{0, 0, 0};      ///< m, of its centre
+    Vec3 velocity{0, 0, 0};  ///< m/s
+    Vec3 spin{0, 0, 0};      ///< rad/s
+};
+
+/// An object as the solvers see it: all points within `radius` of a box, its core, around its
+/// centre. The core of a sphere is a point, that of a capsule a line along y.
+struct Object {
+    Vec3 core{0, 0, 0};            ///< m, half its edges
+    double radius = 0;             ///< m
+    double inverseMass = 0;        ///< 1/kg; 0: fixed
+    Vec3 inverseInertia{0, 0, 0};  ///< 1/(kg·m²), about its own axes; 0: fixed
+    double friction = 0, restitution = 0, drag = 0;
+    double chain = 0;  ///< m; 0: none
+    Vec3 hungFrom{0, 0, 0};
+
+    /// m, from the centre to the farthest point.
+    double reach() const { return core.norm() + radius; }
+};
+Object makeObject(const ObjectDescription&);
+
+struct ObjectState {
+    bool present = false;
+    Vec3 position{0, 0, 0};  ///< m
+    Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+    Vec3 velocity{0, 0, 0};         ///< m/s
+    Vec3 angularMomentum{0, 0, 0};  ///< kg·m²/s, about its centre; what a free spin keeps
+
+    /// rad/s.
+    Vec3 spin(const Object& object) const;
+    /// m/s, of the point that is at x.
+    Vec3 velocityAt(const Object& object, const Vec3& x) const {
+        return velocity + spin(object).cross(x - position);
+    }
+    /// J.
+    double kineticEnergy(const Object& object) const;
+};
+ObjectState initialState(const ObjectDescription&);
+/// As thrown. Its orientation is that of the description.
+ObjectState thrownState(const ObjectDescription&, const ThrowDescription&);
+
+}  // namespace sunder

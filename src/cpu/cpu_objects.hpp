@@ -1,0 +1,31 @@
+#pragma once
+#include <vector>
+
+#include "cpu/cpu_contact.hpp"
+#include "cpu/objects.hpp"
+
+namespace sunder::cpu {
+
+/// The nodes as objects see them.
+class ObjectCells : public Objects::Cells {
+  public:
+    /// `bodies`: all of the world's, in its order. All three must outlive it.
+    ObjectCells(const World& world, std::vector<const BodyArrays*> bodies, const Contact& contact);
+
+    Bounds bounds(int body) const override;
+    CellMotion motion(int cell) const override;
+    void push(int cell, const std::array<double, kCorners>& weights, const Vec3& force) override;
+
+  private:
+    struct Place {
+        const BodyArrays* arrays;
+        int cell;  ///< in them
+    };
+    Place placeOf(int cell) const;
+
+    const World& world_;
+    std::vector<const BodyArrays*> bodies_;
+    const Contact& contact_;
+};
+
+}  // namespace sunder::cpu

@@ -1,0 +1,89 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/object_contact.hpp"
+#include "core/room.hpp"
+#include "core/world.hpp"
+
+namespace sunder {
+
+/// The world's objects (core/object_contact.hpp) for the solvers on the CPU: what they push, what
+/// pushes them, how they move.
+class Objects {
+  public:
+    /// A solver's nodes.
+    class Cells {
+      public:
+        virtual ~Cells() = default;
+        struct Bounds {
+            Vec3 low, high;  ///< m
+        };
+        /// Around all nodes of a body.
+        virtual Bounds bounds(int body) const = 0;
+        virtual CellMotion motion(int cell) const = 0;
+        /// Adds weights[corner]·force (N) to the forces on a cell's corners.
+        virtual void push(int cell, const std::array<double, kCorners>& weights,
+                          const Vec3& force) = 0;
+    };
+
+    explicit Objects(const World& world);
+
+    const std::vector<ObjectState>& states() const { return states_; }
+    void set(const std::vector<ObjectState>& states);
+
+    /// Objects that step number `step` begins with are thrown.
+    void startStep(std::int64_t step);
+    /// Finds the cells that objects may touch within kContactInterval steps. `held`: bodies to
+    /// look at.
+    void search(const Cells& cells, const std::vector<bool>& held);
+    bool searchDue() const { return searchDue_; }
+    /// Whether the last search found something of the body.
+    bool near(int body) const { return near_[body]; }
+    /// Whether an object that moves may touch the body before the next search.
+    bool hit(int body) const { return hit_[body]; }
+    /// Pushes cells and objects apart, for the step in progress.
+    void push(Cells& cells);
+    /// Moves the objects to the end of the step. Forces must be known: push().
+    void move();
+
+  private:
+    struct Candidate {
+        int cell, object;
+    };
+    /// Two sides that touch in this step: an object, and a cell, an object or a
+    /// barrier.
+    struct Active {
+        Touch touch;
+        int object, cell, other;  ///< −1: not that
+        Vec3 velocity;            ///< m/s, relative to the object
+        double restitution, friction;
+        Yield yield;  ///< of a cell
+        std::array<double, kCorners> weights;
+    };
+    struct Impulse {
+        Vec3 linear{0, 0, 0}, angular{0, 0, 0};
+    };
+
+    void findOf(int object, int body, const Cells& cells, const Cells::Bounds& bounds);
+    void touchCell(const Candidate& candidate, const Cells& cells);
+    void touchBarriers(int object);
+    void touchObjects(int a, int b);
+    void add(Active active);
+    void apply(const Active& active, Cells& cells);
+    bool moves(int object) const;
+
+    const World& world_;
+    std::vector<ContactProxy> proxies_;  ///< per body
+    std::vector<Barrier> barriers_;
+    std::vector<ObjectState> states_;
+    std::vector<Candidate> candidates_;  ///< by cell
+    std::vector<bool> near_, hit_;       ///< per body
+    std::vector<Active> active_;
+    std::vector<int> cellTouches_;    ///< N, per candidate's cell, 0 between steps
+    std::vector<int> objectTouches_;  ///< K
+    std::vector<Impulse> impulses_;
+    bool searchDue_ = true;
+};
+
+}  // namespace sunder
