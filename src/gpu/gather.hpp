@@ -101,6 +101,7 @@ class GatherSolver : public GpuSolver, public BodyHost {
 
     std::vector<BodyState> bodies_;
     TexelRanges awake_;
+    std::vector<TexelRange> held_;  ///< cells of awake and sleeping bodies
     std::optional<ContactPass> contact_;
     std::optional<ObjectPass> objects_;
     std::int64_t droppedContacts_ = 0;
