@@ -5,6 +5,7 @@ uniform vec3 eye;
 uniform float tile;       // m
 uniform float hazeLength;  // m, where two thirds of the ground are haze
 uniform bool shadowed;
+uniform vec4 room;  // m, low x and z, high x and z of its walls; 0: none
 
 in vec3 position;
 out vec4 colour;
@@ -16,6 +17,13 @@ float filteredChecker(vec2 p, vec2 w) {
     return wave.x * wave.y;
 }
 
+// Coverage, 0 to 1, of a line where the room's walls stand, two centimetres wide or as wide as a pixel.
+float roomLine(vec2 p) {
+    if (room == vec4(0.0)) return 0.0;
+    vec2 outside = max(room.xy - p, p - room.zw);  // negative inside
+    return 1.0 - smoothstep(0.01, 0.01 + fwidth(p.x) + fwidth(p.y), abs(max(outside.x, outside.y)));
+}
+
 void main() {
     vec2 p = position.xz / tile;
     vec2 w = fwidth(p) + 1e-4;
@@ -24,7 +32,7 @@ void main() {
     vec3 view = toEye / range;
 
     float checker = filteredChecker(p, w) * (1.0 - smoothstep(0.35, 1.1, max(w.x, w.y)));
-    vec3 albedo = vec3(0.265, 0.26, 0.245) * (1.0 + 0.13 * checker);
+    vec3 albedo = vec3(0.265, 0.26, 0.245) * (1.0 + 0.13 * checker) * (1.0 - 0.7 * roomLine(position.xz));
 
     vec3 normal = vec3(0.0, 1.0, 0.0);
     float sun = SUN_DIRECTION.y;

@@ -9,8 +9,10 @@
 
 uniform sampler2DArray forces;  // per cell, one layer per corner: N, on one copy
 uniform sampler2DArray links;   // layers of LinkRecord
-#if EVENTS
+#if EVENTS || ROOM
 uniform samplerBuffer rest;  // xyz: rest position, m
+#endif
+#if EVENTS
 uniform float stepInFrame;
 #endif
 uniform bool newWatch;  // this is the first step since bodies were last looked at for rest
@@ -40,11 +42,16 @@ void updateNode(int corner, int cell, ivec2 texel, BodyRecord body, vec4 masks, 
     velocity = texelFetch(nodes, ivec3(texel, velocityLayer(corner)), 0);
     vec3 force = groupForce(cell, corner, linkMaskOf(masks, corner), cellStrides(ivec4(body.lattice)));
     vec3 acceleration = force * inverseMass + body.gravity.xyz;
+#if EVENTS || ROOM
+    vec3 restPosition = texelFetch(rest, 8 * cell + corner).xyz;
+#else
+    vec3 restPosition = vec3(0.0, displacement.w, 0.0);
+#endif
 #if EVENTS
-    acceleration += eventAcceleration(body.events.xy, texelFetch(rest, 8 * cell + corner).xyz, stepInFrame);
+    acceleration += eventAcceleration(body.events.xy, restPosition, stepInFrame);
 #endif
     vec3 u = displacement.xyz, v = velocity.xyz;
-    integrateNode(u, v, acceleration, body.gravity.w, body.cellSize.w, displacement.w);
+    integrateNode(u, v, acceleration, body.gravity.w, body.cellSize.w, restPosition);
     bool moves = inverseMass > 0.0;  // not anchored, and there is a cell
     displacement.xyz = moves ? u : displacement.xyz;
     velocity = moves ? vec4(v, newWatch ? dot(v, v) : max(dot(v, v), velocity.w)) : vec4(0.0);

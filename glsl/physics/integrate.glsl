@@ -1,24 +1,48 @@
-// One step of symplectic Euler for one node, then the ground.
+// One step of symplectic Euler for one node, then the barriers (src/core/room.hpp).
 #include "shared/layout.h"
 
 uniform float stepSize;  // h, s
 uniform vec2 ground;     // x: 1 where there is a floor at y = 0; y: Coulomb coefficient
+#if ROOM
+uniform vec3 roomLow, roomHigh;  // m; SUNDER_NO_BARRIER away where there is none
+uniform float roomFriction;
+#endif
 
-// acceleration: m/s², of the joined group, gravity and events included. restY: m.
+// Stops what moves towards a barrier with `into` m/s; the step begins again from `bound`, the node's displacement there. axis is
+// a constant wherever this is called.
+void stopAt(int axis, float bound, float into, float friction, inout vec3 displacement, inout vec3 velocity,
+            precise inout vec3 next) {
+    float taken = friction * max(0.0, into);
+    velocity[axis] = 0.0;
+    float tangential = length(velocity);
+    velocity *= tangential > taken ? 1.0 - taken / tangential : 0.0;
+    displacement[axis] = bound;
+    next = displacement + stepSize * velocity;
+    next[axis] = bound;
+}
+
+#if ROOM
+void stayBetween(int axis, vec3 rest, inout vec3 u, inout vec3 v, precise inout vec3 next) {
+    precise float low = roomLow[axis] - rest[axis], high = roomHigh[axis] - rest[axis];
+    if (next[axis] < low) stopAt(axis, low, -v[axis], roomFriction, u, v, next);
+    if (next[axis] > high) stopAt(axis, high, v[axis], roomFriction, u, v, next);
+}
+#endif
+
+// acceleration: m/s², of the joined group, gravity and events included. rest: m; x and z count only in a room.
 void integrateNode(inout vec3 displacement, inout vec3 velocity, vec3 acceleration, float drag, float speedLimit,
-                   float restY) {
+                   vec3 rest) {
     velocity = velocity * drag + stepSize * acceleration;
     float speed = length(velocity);
     if (speed > speedLimit) velocity *= speedLimit / speed;
     precise vec3 next = displacement + stepSize * velocity;
-    precise float height = restY + next.y;
-    if (ground.x > 0.0 && height < 0.0) {
-        // The ground takes all of v_y; Coulomb friction takes at most μ times as much of the rest.
-        float tangential = length(velocity.xz);
-        float taken = ground.y * max(0.0, -velocity.y);
-        float kept = tangential > taken ? 1.0 - taken / tangential : 0.0;
-        velocity = vec3(kept * velocity.x, 0.0, kept * velocity.z);
-        next = vec3(displacement.x + stepSize * velocity.x, -restY, displacement.z + stepSize * velocity.z);
-    }
+    precise float height = rest.y + next.y;
+    if (ground.x > 0.0 && height < 0.0)
+        stopAt(1, -rest.y, -velocity.y, ground.y, displacement, velocity, next);
+#if ROOM
+    stayBetween(0, rest, displacement, velocity, next);
+    stayBetween(2, rest, displacement, velocity, next);
+    stayBetween(1, rest, displacement, velocity, next);
+#endif
     displacement = next;
 }

@@ -9,10 +9,13 @@
 #define SUNDER_CELL_ODD 512u      // i + j + k is odd: the mirrored split into tetrahedra
 #define SUNDER_CELL_SIDES_BIT 10  // six bits: the body ends on the cell's -x, -y, -z, +x, +y, +z side
 #define SUNDER_CELL_ANCHORS_BIT 16  // eight bits: corners that do not move
+#define SUNDER_CELL_RESTITUTION_BIT 24  // eight bits: restitution of its material, of 255
 // Damage of a bond that never was; a bond holds while its damage is below 1.
 #define SUNDER_NO_BOND 2.0
 // Stands for "never": no stress reaches it.
 #define SUNDER_UNBREAKABLE 1.0e30
+// m. Stands for "nowhere": a barrier that nothing comes to.
+#define SUNDER_NO_BARRIER 1.0e30
 
 #define SUNDER_LAW_GREEN 0.0
 #define SUNDER_LAW_COROTATED 1.0

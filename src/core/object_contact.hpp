@@ -9,7 +9,7 @@ namespace sunder {
 /// How objects touch cells, each other and the ground: the model that every solver implements.
 ///
 /// Everything is a rounded box: all points within a radius of a core (Object). A cell's box follows
-/// its nodes (CellMotion::box()); its radius is a quarter of its shortest edge. The normal n points
+/// its nodes (CellMotion::box()); its radius is a tenth of its shortest edge. The normal n points
 /// from the object to what it touches, x and y are the points of the two cores that lie nearest,
 /// found by projecting kProjections times from one to the other, v is the velocity of the other
 /// side relative to the object's at the contact. What moves far in a step is moved along its way
@@ -30,7 +30,7 @@ namespace sunder {
 inline constexpr double kBounceSpeed = 0.3;  ///< m/s
 inline constexpr int kProjections = 6;
 inline constexpr int kAdvances = 8;
-inline constexpr double kCellRoundness = 0.25;  ///< radius of a cell's box in shortest edges
+inline constexpr double kCellRoundness = 0.1;  ///< radius of a cell's box in shortest edges
 
 /// A box somewhere, and how far around it counts.
 struct RoundedBox {

@@ -109,6 +109,7 @@ int World::lawFor(int materialIndex, const Vec3& cellSize) {
     law.hotViscosity = hotViscosity(law.mu, stable / E, description_.step);
     law.damageTime = m.damageLength / std::sqrt(E / m.density);
     law.maxStress = m.fracture == FractureMode::Cell ? m.maxStress : kInfinity;
+    law.restitution = std::round(255 * m.restitution) / 255;
     law.contactDamping = contactDamping(m.restitution);
     laws_.push_back(law);
     return static_cast<int>(laws_.size()) - 1;

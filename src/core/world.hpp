@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,6 +65,13 @@ struct EventDescription {
     std::string where;  ///< for error messages, for example "wood.toml:31: event 1"
 };
 
+/// Four walls, upright without end, that nothing passes (core/room.hpp). The floor is the ground's.
+struct RoomDescription {
+    std::array<double, 2> x{-4, 4}, z{-3, 3};  ///< m, where the walls stand: low, high
+    double friction = 0.6;                     ///< Coulomb coefficient, 1, 0 to 10
+    std::optional<double> ceiling;             ///< m, its height
+};
+
 /// What a scene file says about the world, checked field by field but not yet laid out as cells and
 /// nodes.
 struct WorldDescription {
@@ -74,10 +83,11 @@ struct WorldDescription {
     Vec3 gravity{0, -9.81, 0};    ///< m/s²
     bool ground = true;           ///< a floor at y = 0
     double groundFriction = 0.6;  ///< Coulomb coefficient, 1, 0 to 10
-    bool contact = false;         ///< whether cells push each other (core/contact.hpp)
-    double step = 1.0 / 3000;     ///< s, one substep
-    int fractureInterval = 4;     ///< substeps from one fracture update to the next, 1 to 100
-    std::uint64_t seed = 1;       ///< of the strength map
+    std::optional<RoomDescription> room;
+    bool contact = false;      ///< whether cells push each other (core/contact.hpp)
+    double step = 1.0 / 3000;  ///< s, one substep
+    int fractureInterval = 4;  ///< substeps from one fracture update to the next, 1 to 100
+    std::uint64_t seed = 1;    ///< of the strength map
 };
 
 struct Body {
@@ -112,6 +122,7 @@ struct ElementLaw {
     double stressScale = 1;     ///< S = √(E/E_eff): what an impact's stress lost to the limit
     double damageTime = 1;      ///< s, τ = ℓ_d/√(E_eff/ρ)
     double maxStress = 0;       ///< Pa; infinite unless fracture = cell
+    double restitution = 0;     ///< of the material, rounded to 1/255: what objects bounce with
     double contactDamping = 0;  ///< α of core/contact.hpp, from the material's restitution
     double hotViscosity = 0;    ///< Pa·s, of strongly deformed elements (core/elasticity.hpp)
 };

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <new>
+#include <tuple>
 
 #include "core/elasticity.hpp"
 
@@ -91,6 +93,19 @@ void BodyStorage::choose(const World& world) {
     a.speedLimit = static_cast<float>(body.speedLimit);
     a.ground = world.description().ground;
     a.groundFriction = static_cast<float>(world.description().groundFriction);
+    if (const auto& room = world.description().room) {
+        a.room = true;
+        a.roomFriction = static_cast<float>(room->friction);
+        constexpr float infinity = std::numeric_limits<float>::infinity();
+        const float ceiling = room->ceiling ? static_cast<float>(*room->ceiling) : infinity;
+        const auto place = [](double wall) { return static_cast<float>(wall); };
+        for (const auto& [axis, low, high] : {std::tuple{0, place(room->x[0]), place(room->x[1])},
+                                              {1, -infinity, ceiling},
+                                              {2, place(room->z[0]), place(room->z[1])}}) {
+            a.roomLow[axis] = low;
+            a.roomHigh[axis] = high;
+        }
+    }
 }
 
 /// One block for all arrays. Each is a whole number of cache lines, and not a multiple of four: at
@@ -128,7 +143,8 @@ void BodyStorage::allocate() {
         take(a.strength, floats(3));
         take(a.side, floats(1));
         take(a.inverseMass, 4 * tiles(kCorners));
-        take(a.restHeight, floats(2), a.ground);
+        for (const int axis : {0, 1, 2})
+            take(a.rest[axis], floats(2), a.room || (axis == 1 && a.ground));
         take(a.lawIndex, floats(1), a.kind == LawKind::Mixed);
         take(a.links, tiles(kCorners));
         take(a.broke, static_cast<std::size_t>(roundUp(a.stride, kAlignment)));
@@ -149,10 +165,10 @@ void BodyStorage::fill(const World& world) {
         const IVec3 c = body.coordinates(cell);
         const int i = a.place(c[0], c[1], c[2]);
         a.side[i] = world.parity(cell) ? -1.f : 1.f;
-        if (a.restHeight)
-            for (const int upper : {0, 1})
-                a.restHeight[upper * a.stride + i] =
-                    static_cast<float>(world.restPosition(kCorners * cell + 2 * upper)[1]);
+        for (int axis = 0; axis < 3; ++axis)
+            for (int upper = 0; a.rest[axis] && upper < 2; ++upper)
+                a.rest[axis][upper * a.stride + i] =
+                    static_cast<float>(world.restPosition(kCorners * cell + (upper << axis))[axis]);
         if (a.lawIndex) a.lawIndex[i] = std::max(0, world.lawOf(cell));
         for (int axis = 0; axis < 3; ++axis)
             a.strength[axis * a.stride + i] =

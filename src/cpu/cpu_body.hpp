@@ -57,12 +57,13 @@ struct BodyArrays {
     float* over = nullptr;    ///< [cell] 1 where the cell's stress exceeds maxStress; else 0
 
     // --- constant, or constant until a bond breaks ---
-    float* strength = nullptr;      ///< Pa, [axis][cell]
-    float* side = nullptr;          ///< [cell] +1 or −1 by parity: which way the cell is mirrored
-    float* inverseMass = nullptr;   ///< 1/kg, [corner][cell], of the joined group; 0: does not move
-    float* restHeight = nullptr;    ///< m, [0 lower, 1 upper corners][cell]
-    std::uint8_t* links = nullptr;  ///< [corner][cell], core/links.hpp
-    std::uint8_t* broke = nullptr;  ///< [cell] bits 0–2: bonds broken and not yet in `links`
+    float* strength = nullptr;     ///< Pa, [axis][cell]
+    float* side = nullptr;         ///< [cell] +1 or −1 by parity: which way the cell is mirrored
+    float* inverseMass = nullptr;  ///< 1/kg, [corner][cell], of the joined group; 0: does not move
+    float* rest[3] = {};           ///< m, per axis, [0 lower, 1 upper corners][cell]; y only with a
+                                   ///< ground or room, x and z only with a room
+    std::uint8_t* links = nullptr;     ///< [corner][cell], core/links.hpp
+    std::uint8_t* broke = nullptr;     ///< [cell] bits 0–2: bonds broken and not yet in `links`
     std::int32_t* lawIndex = nullptr;  ///< [cell], only of LawKind::Mixed
 
     /// The nodes around a lattice point, for the copy at each corner: bit in the link mask, and
@@ -84,8 +85,9 @@ struct BodyArrays {
     float dampingTime = 0;                        ///< b·h, s
     float step = 0, drag = 0, speedLimit = 0;     ///< s, exp(−d·h), m/s
     float gravity[3] = {};                        ///< m/s²
-    bool ground = false;
-    float groundFriction = 0;
+    bool ground = false, room = false;
+    float groundFriction = 0, roomFriction = 0;
+    float roomLow[3] = {}, roomHigh[3] = {};  ///< m; infinite where there is no barrier
 
     int place(int x, int y, int z) const { return x * steps[0] + y * steps[1] + z * steps[2]; }
 };

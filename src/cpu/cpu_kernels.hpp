@@ -13,7 +13,7 @@ namespace sunder::cpu {
 /// Forces of every cell on its own nodes; with `stress`, also what fracture needs.
 void updateElements(const BodyArrays&, int first, int end, bool stress);
 
-/// Symplectic Euler on joined groups, then the ground. Returns the largest squared speed, m²/s².
+/// Symplectic Euler on joined groups, then the barriers. Returns the largest squared speed, m²/s².
 float updateNodes(const BodyArrays&, int first, int end, std::span<const Push>);
 
 struct BondNews {

@@ -1,4 +1,4 @@
-// One step of symplectic Euler for every node, on joined groups, then the ground.
+// One step of symplectic Euler for every node, on joined groups, then the barriers.
 #include "cpu/simd_targets.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -43,20 +43,60 @@ HWY_INLINE Vec3v groupForce(const BodyArrays& body, int corner, int cell, VI lin
     return sum;
 }
 
-/// `squared`: of the speed. The ground takes all of v_y; Coulomb friction takes at most μ times as
-/// much of the rest.
-HWY_INLINE void landOn(const BodyArrays& body, V restHeight, const Vec3v& u, Vec3v& v, Vec3v& next,
-                       V& squared) {
+template <int kAxis>
+HWY_INLINE V& component(Vec3v& a) {
+    return kAxis == 0 ? a.x : kAxis == 1 ? a.y : a.z;
+}
+
+/// Barrier::stopped() (core/room.hpp) for the lanes beyond a barrier, which begin the step again
+/// from `bound`, their displacement there. `into`: m/s towards it. Returns whether there are any.
+template <int kAxis>
+HWY_INLINE bool stopAt(Mask beyond, V bound, V into, float friction, float step, Vec3v& u, Vec3v& v,
+                       Vec3v& next) {
+    if (HWY_LIKELY(!any(beyond))) return false;
     const V zero = hn::Zero(d), one = set(1.f);
-    const Mask below = hn::Lt(restHeight + next.y, zero);
-    if (HWY_LIKELY(!any(below))) return;
-    const V tangential = hn::Sqrt(v.x * v.x + v.z * v.z);
-    const V taken = set(body.groundFriction) * hn::Max(zero, zero - v.y);
+    const V a = component<(kAxis + 2) % 3>(v), b = component<(kAxis + 1) % 3>(v);
+    const V tangential = hn::Sqrt(a * a + b * b);
+    const V taken = set(friction) * hn::Max(zero, into);
     const V kept = hn::IfThenElseZero(hn::Gt(tangential, taken), one - taken / tangential);
-    const V h = set(body.step);
-    v = select(below, Vec3v{kept * v.x, zero, kept * v.z}, v);
-    squared = dot(v, v);
-    next = select(below, Vec3v{u.x + h * v.x, zero - restHeight, u.z + h * v.z}, next);
+    Vec3v left = v * kept;
+    component<kAxis>(left) = zero;
+    v = select(beyond, left, v);
+    component<kAxis>(u) = hn::IfThenElse(beyond, bound, component<kAxis>(u));
+    next = select(beyond, u + v * set(step), next);
+    return true;
+}
+
+/// The room's two barriers across an axis. `rest`: m, the nodes' place on it at rest.
+template <int kAxis>
+HWY_INLINE bool stayBetween(const BodyArrays& body, V rest, Vec3v& u, Vec3v& v, Vec3v& next) {
+    const V low = set(body.roomLow[kAxis]) - rest, high = set(body.roomHigh[kAxis]) - rest;
+    const bool below =
+        stopAt<kAxis>(hn::Lt(component<kAxis>(next), low), low, hn::Zero(d) - component<kAxis>(v),
+                      body.roomFriction, body.step, u, v, next);
+    const bool above = stopAt<kAxis>(hn::Gt(component<kAxis>(next), high), high,
+                                     component<kAxis>(v), body.roomFriction, body.step, u, v, next);
+    return below || above;
+}
+
+/// All barriers, in the order of barriers(). `squared`: of the speed.
+HWY_INLINE void stayInside(const BodyArrays& body, int corner, int cell, Vec3v u, Vec3v& v,
+                           Vec3v& next, V& squared) {
+    const auto rest = [&](int axis) {
+        return hn::Load(d, body.rest[axis] + (corner >> axis & 1) * body.stride + cell);
+    };
+    bool stopped = false;
+    if (body.ground) {
+        const V zero = hn::Zero(d), floor = zero - rest(1);
+        stopped = stopAt<1>(hn::Lt(next.y, floor), floor, zero - v.y, body.groundFriction,
+                            body.step, u, v, next);
+    }
+    if (body.room) {
+        stopped |= stayBetween<0>(body, rest(0), u, v, next);
+        stopped |= stayBetween<2>(body, rest(2), u, v, next);
+        stopped |= stayBetween<1>(body, rest(1), u, v, next);
+    }
+    if (HWY_UNLIKELY(stopped)) squared = dot(v, v);
 }
 
 /// Returns the squared speeds.
@@ -89,9 +129,7 @@ HWY_INLINE V updateNode(const BodyArrays& body, int corner, int cell,
     if (HWY_UNLIKELY(any(fast)))
         v = v * hn::IfThenElse(fast, set(body.speedLimit) / hn::Sqrt(squared), set(1.f));
     Vec3v next = u + v * h;
-    if (body.ground)
-        landOn(body, hn::Load(d, body.restHeight + (corner >> 1 & 1) * body.stride + cell), u, v,
-               next, squared);
+    if (body.ground || body.room) stayInside(body, corner, cell, u, v, next, squared);
     store3(v, velocity, kLanes);
     store3(next, displacement, kLanes);
     return squared;

@@ -30,6 +30,7 @@ std::vector<RoundedBox> cornersOf(const RoundedBox& box) {
 
 Objects::Objects(const World& world)
     : world_(world),
+      barriers_(barriers(world.description())),
       near_(world.bodies().size()),
       hit_(world.bodies().size()),
       cellTouches_(static_cast<std::size_t>(world.cellCount())),
@@ -110,7 +111,7 @@ void Objects::push(Cells& cells) {
     for (const Candidate& candidate : candidates_) touchCell(candidate, cells);
     for (int object = 0; object < static_cast<int>(states_.size()); ++object) {
         if (!states_[object].present) continue;
-        touchPlanes(object);
+        touchBarriers(object);
         for (int other = object + 1; other < static_cast<int>(states_.size()); ++other)
             if (states_[other].present) touchObjects(object, other);
     }
@@ -130,7 +131,6 @@ void Objects::touchCell(const Candidate& candidate, const Cells& cells) {
     const int body = world_.bodyOf(candidate.cell);
     const Object& object = world_.objects()[candidate.object];
     const ObjectState& state = states_[candidate.object];
-    const Material& material = world_.materialOf(candidate.cell);
     const CellMotion motion = cells.motion(candidate.cell);
     const RoundedBox cell = motion.box(world_.bodies()[body].cellSize);
     Vec3 mean = Vec3::Zero();
@@ -148,28 +148,30 @@ void Objects::touchCell(const Candidate& candidate, const Cells& cells) {
         squares += active.weights[corner] * active.weights[corner];
     }
     active.yield = yieldOf(kCorners * squares / world_.cellMass(candidate.cell));
-    active.restitution = 0.5 * (object.restitution + material.restitution);
-    active.friction = 0.5 * (object.friction + material.friction);
+    active.restitution =
+        0.5 * (object.restitution + world_.laws()[world_.lawOf(candidate.cell)].restitution);
+    active.friction = 0.5 * (object.friction + world_.materialOf(candidate.cell).friction);
     add(std::move(active));
 }
 
-void Objects::touchPlanes(int index) {
+void Objects::touchBarriers(int index) {
     const Object& object = world_.objects()[index];
     const ObjectState& state = states_[index];
-    if (object.inverseMass == 0 || !world_.description().ground) return;
-    for (const RoundedBox& corner : cornersOf(boxOf(object, state))) {
-        Active active{};
-        // The normal points from the object to the ground.
-        active.touch.normal = {0, -1, 0};
-        active.touch.gap = corner.centre[1] - corner.radius;
-        active.touch.point = corner.centre - Vec3(0, corner.radius, 0);
-        active.object = index;
-        active.cell = active.other = -1;
-        active.velocity = -state.velocityAt(object, active.touch.point);
-        active.restitution = object.restitution;
-        active.friction = 0.5 * (object.friction + world_.description().groundFriction);
-        add(std::move(active));
-    }
+    if (object.inverseMass == 0) return;
+    const std::vector<RoundedBox> corners = cornersOf(boxOf(object, state));
+    for (const Barrier& barrier : barriers_)
+        for (const RoundedBox& corner : corners) {
+            Active active{};
+            active.touch.normal = -barrier.side * Vec3::Unit(barrier.axis);
+            active.touch.gap = barrier.distance(corner.centre) - corner.radius;
+            active.touch.point = corner.centre + corner.radius * active.touch.normal;
+            active.object = index;
+            active.cell = active.other = -1;
+            active.velocity = -state.velocityAt(object, active.touch.point);
+            active.restitution = object.restitution;
+            active.friction = 0.5 * (object.friction + barrier.friction);
+            add(std::move(active));
+        }
 }
 
 void Objects::touchObjects(int a, int b) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/object_contact.hpp"
+#include "core/room.hpp"
 #include "core/world.hpp"
 
 namespace sunder {
@@ -50,7 +51,8 @@ class Objects {
     struct Candidate {
         int cell, object;
     };
-    /// Two sides that touch in this step: an object, and a cell, an object or a plane.
+    /// Two sides that touch in this step: an object, and a cell, an object or a
+    /// barrier.
     struct Active {
         Touch touch;
         int object, cell, other;  ///< −1: not that
@@ -65,7 +67,7 @@ class Objects {
 
     void findOf(int object, int body, const Cells& cells, const Cells::Bounds& bounds);
     void touchCell(const Candidate& candidate, const Cells& cells);
-    void touchPlanes(int object);
+    void touchBarriers(int object);
     void touchObjects(int a, int b);
     void add(Active active);
     void apply(const Active& active, Cells& cells);
@@ -73,6 +75,7 @@ class Objects {
 
     const World& world_;
     std::vector<ContactProxy> proxies_;  ///< per body
+    std::vector<Barrier> barriers_;
     std::vector<ObjectState> states_;
     std::vector<Candidate> candidates_;  ///< by cell
     std::vector<bool> near_, hit_;       ///< per body

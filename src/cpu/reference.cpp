@@ -48,7 +48,8 @@ class ReferenceSolver::ObjectCells : public Objects::Cells {
     ReferenceSolver& solver_;
 };
 
-ReferenceSolver::ReferenceSolver(const World& world) : world_(world) {
+ReferenceSolver::ReferenceSolver(const World& world)
+    : world_(world), barriers_(barriers(world.description())) {
     for (int cell = 0; cell < world.cellCount(); ++cell) {
         if (!world.present(cell)) continue;
         for (int t = 0; t < kTetrahedraPerCell; ++t) {
@@ -150,7 +151,7 @@ void ReferenceSolver::pushObjects() {
     objects_->push(cells);
 }
 
-/// Symplectic Euler on joined groups, then the ground.
+/// Symplectic Euler on joined groups, then the barriers.
 void ReferenceSolver::updateNodes() {
     const double h = world_.step();
     std::fill(eventAcceleration_.begin(), eventAcceleration_.end(), Vec3::Zero());
@@ -183,16 +184,12 @@ void ReferenceSolver::updateNodes() {
             h * (force / mass + body.gravity + eventAcceleration_[node]);
         if (const double speed = v.norm(); speed > body.speedLimit) v *= body.speedLimit / speed;
         Vec3 next = u + h * v;
-        const double restY = world_.restPosition(node)[1];
-        if (world_.description().ground && restY + next[1] < 0) {
-            // The ground takes all of v_y; Coulomb friction takes at most μ times as much of the
-            // rest.
-            const double tangential = std::hypot(v[0], v[2]);
-            const double taken = world_.description().groundFriction * std::max(0.0, -v[1]);
-            const double kept = tangential > taken ? 1 - taken / tangential : 0;
-            v = {kept * v[0], 0, kept * v[2]};
+        const Vec3 rest = world_.restPosition(node);
+        for (const Barrier& barrier : barriers_) {
+            if (barrier.distance(rest + next) >= 0) continue;
+            v = barrier.stopped(v);
+            u[barrier.axis] = barrier.place - rest[barrier.axis];
             next = u + h * v;
-            next[1] = -restY;
         }
         u = next;
     }

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/elasticity.hpp"
+#include "core/room.hpp"
 #include "core/solver.hpp"
 #include "cpu/objects.hpp"
 #include "cpu/reference_contact.hpp"
@@ -43,6 +44,7 @@ class ReferenceSolver : public Solver {
     double equivalentTraction(int cell, int axis, const ElementLaw&, double interval);
 
     const World& world_;
+    std::vector<Barrier> barriers_;
     std::vector<Element> elements_;
     std::vector<std::vector<int>> eventNodes_;  ///< nodes in each event's patch
     std::vector<Vec3> eventAcceleration_;       ///< m/s², per node, of the step in progress

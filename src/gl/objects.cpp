@@ -115,6 +115,9 @@ void deleteVertexArray(GLuint id) {
 void deleteProgram(GLuint id) {
     glDeleteProgram(id);
 }
+void deleteTransformFeedback(GLuint id) {
+    glDeleteTransformFeedbacks(1, &id);
+}
 
 // The COPY targets: no draw state, nor an element array in a vertex array object, depends on them.
 Buffer::Buffer(std::size_t bytes, const void* data, GLenum usage, const char* what)
@@ -156,6 +159,12 @@ VertexArray makeVertexArray() {
     GLuint id = 0;
     glGenVertexArrays(1, &id);
     return VertexArray(id);
+}
+
+TransformFeedback makeTransformFeedback() {
+    GLuint id = 0;
+    glGenTransformFeedbacks(1, &id);
+    return TransformFeedback(id);
 }
 
 Texture makeBufferTexture(const Buffer& buffer, GLenum format, const char* what) {

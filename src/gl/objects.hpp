@@ -39,10 +39,13 @@ void deleteTexture(GLuint);
 void deleteFramebuffer(GLuint);
 void deleteVertexArray(GLuint);
 void deleteProgram(GLuint);
+void deleteTransformFeedback(GLuint);
 
 using Framebuffer = Handle<deleteFramebuffer>;
 using VertexArray = Handle<deleteVertexArray>;
 using Texture = Handle<deleteTexture>;
+/// Remembers how much was captured, so that it can be drawn without asking.
+using TransformFeedback = Handle<deleteTransformFeedback>;
 
 /// Bytes of the buffers and 2D textures made below that are alive: what Sunder asked for, not what
 /// the driver rounds it to.
@@ -74,6 +77,7 @@ Buffer makeBuffer(std::span<const T> data, GLenum usage, const char* what) {
 
 Framebuffer makeFramebuffer();
 VertexArray makeVertexArray();
+TransformFeedback makeTransformFeedback();
 /// A view of `buffer` as texels of `format` (GL_RGBA32F, …). Throws InputError, naming `what`, when
 /// the device's GL_MAX_TEXTURE_BUFFER_SIZE is smaller. Leaves the active unit's buffer texture
 /// unbound.

@@ -2,14 +2,17 @@
 
 #include <bit>
 
+#include "gpu/layout.hpp"
+
 namespace sunder::gpu {
 namespace {
 
 constexpr const char* kSamplers[kUnitCount] = {
-    "cells",     "bodies",     "rest",   "nodes",    "bonds",
-    "events",    "links",      "forces", "stresses", "cumulativeForces",
-    "strengths", "rectangles", "chunks", "records",  "centres",
-    "grid",      "partners"};
+    "cells",     "bodies",     "rest",    "nodes",    "bonds",
+    "events",    "links",      "forces",  "stresses", "cumulativeForces",
+    "strengths", "rectangles", "chunks",  "records",  "centres",
+    "grid",      "partners",   "objects", "motion",   "touchCounts",
+    "impulses"};
 constexpr int kLawBinding = 0;
 
 }  // namespace
@@ -25,6 +28,16 @@ void setConstants(const gl::Program& program, const World& world, int textureCol
                 static_cast<float>(world.description().fractureInterval) * h);
     glUniform2f(program.uniform("ground"), world.description().ground ? 1.0f : 0.0f,
                 static_cast<float>(world.description().groundFriction));
+    if (const auto& room = world.description().room) {
+        const double nowhere = SUNDER_NO_BARRIER;
+        const auto setPlace = [&](const char* name, double x, double y, double z) {
+            glUniform3f(program.uniform(name), static_cast<float>(x), static_cast<float>(y),
+                        static_cast<float>(z));
+        };
+        setPlace("roomLow", room->x[0], -nowhere, room->z[0]);
+        setPlace("roomHigh", room->x[1], room->ceiling.value_or(nowhere), room->z[1]);
+        glUniform1f(program.uniform("roomFriction"), static_cast<float>(room->friction));
+    }
 }
 
 void bindWorld(const WorldBuffers& buffers) {

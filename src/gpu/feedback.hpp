@@ -25,11 +25,15 @@ enum Unit {
     kCentres,
     kGrid,
     kPartners,
+    kObjects,
+    kMotion,
+    kTouchCounts,
+    kImpulses,
     kUnitCount
 };
 
 /// Points every sampler and uniform block the program has to its place, and sets what stays the
-/// same for a whole run: step, fracture interval, ground, columns of the solver's textures
+/// same for a whole run: step, fracture interval, ground, room, columns of the solver's textures
 /// (a power of two).
 void setConstants(const gl::Program& program, const World& world, int textureColumns);
 

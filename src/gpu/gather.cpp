@@ -74,6 +74,8 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
         ContactPass::check(world);
         contact_.emplace(world, columns_);
     }
+    if (!world.objects().empty())
+        objects_.emplace(world, buffers, ObjectPass::Layout::Textures, columns_, forces_.rows());
     setState(world.initialState());
 }
 
@@ -83,7 +85,9 @@ GatherSolver::NodePass GatherSolver::nodePass(const char* events) const {
     for (std::size_t part = 0; part < kNodeParts; ++part) {
         gl::Program& program = pass.programs[part];
         program = nodes_[0].program(world_, "gather/node.frag",
-                                    {{"EVENTS", events}, {"FIRST", first[part]}});
+                                    {{"EVENTS", events},
+                                     {"ROOM", world_.description().room ? "1" : "0"},
+                                     {"FIRST", first[part]}});
         pass.newWatch[part] = program.uniform("newWatch");
         pass.stepInFrame[part] = program.uniform("stepInFrame");
     }
@@ -94,12 +98,14 @@ State GatherSolver::state() const {
     State state = world_.initialState();
     state.step = step_;
     read({0, world_.cellCount()}, state);
+    if (objects_) objects_->read(state);
     return state;
 }
 
 void GatherSolver::setState(const State& state) {
     step_ = state.step;
     write({0, world_.cellCount()}, state);
+    if (objects_) objects_->set(state);
     for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
         if (holds(body)) wake(body);
     bodiesChanged();
@@ -186,8 +192,8 @@ void GatherSolver::Copy::update(const TexelTarget& from, std::initializer_list<i
 StateView GatherSolver::view() {
     drawnNodes_.update(nodes_[currentNodes_], {0, 2, 4, 6, 8, 10, 12, 14}, "drawn nodes");
     drawnDamage_.update(bonds_[currentBonds_], {0}, "drawn bonds");
-    return {&drawnNodes_.texture, 1, static_cast<int>(nodes_[0].layerTexels()),
-            &drawnDamage_.texture, 1};
+    return {&drawnNodes_.texture,  1, static_cast<int>(nodes_[0].layerTexels()),
+            &drawnDamage_.texture, 1, objects_ ? &objects_->places() : nullptr};
 }
 
 void GatherSolver::finish() {
@@ -208,18 +214,21 @@ void GatherSolver::advance(int steps) {
     bindInputs();
     for (int i = 0; i < steps; ++i, ++step_) {
         if (step_ >= nextWake_) wakePushed();
-        if (awake_.rectangles() == 0) continue;
+        if (objects_ && objects_->startStep(step_)) wakeThreatened();
+        if (!moving()) continue;
         if (step_ % monitor_.interval() == 0) watch();
         {
             const TimedPass timed(passTimer_, "elements");
             forces_.fill(forceProgram_, awake_);
         }
         if (contact_) addContacts();
+        if (objects_) addObjects();
         // Stresses are those before the nodes move; what they break shows in the links of the next
         // step.
         const bool fracture = breakable_ && step_ % world_.description().fractureInterval == 0;
         if (fracture) updateBonds();
         updateNodes(events, i);
+        if (objects_) objects_->move();
         if (fracture) updateLinks();
     }
     // The GPU begins at once, not when the queue is full: the CPU may have work of its own.
@@ -233,6 +242,18 @@ void GatherSolver::addContacts() {
     }
     const TimedPass timed(passTimer_, "contacts");
     contact_->push(forces_, awake_);
+}
+
+void GatherSolver::addObjects() {
+    const TimedPass timed(passTimer_, "objects");
+    if (objects_->searchDue() || step_ % kContactInterval == 0) objects_->search(held_);
+    objects_->push();
+    forces_.bind();
+    objects_->drawForces();
+}
+
+bool GatherSolver::moving() const {
+    return awake_.rectangles() > 0 || (objects_ && objects_->stirring());
 }
 
 /// Stresses live for one pass: in the node textures that this step is about to fill.
@@ -285,6 +306,10 @@ void GatherSolver::watch() {
     std::erase_if(news.hit, [&](int body) { return bodies_[body] != BodyState::Asleep; });
     for (const int body : news.hit) wake(body);
     if (!news.hit.empty()) bodiesChanged();
+    if (objects_) {
+        objects_->look(step_);
+        wakeThreatened();
+    }
 }
 
 void GatherSolver::wake(int body) {
@@ -317,6 +342,16 @@ void GatherSolver::wakePushed() {
         if (bodies_[body] == BodyState::Asleep && pushedWithin(world_, body, step_, step_ + 1))
             wake(body);
     bodiesChanged();
+}
+
+void GatherSolver::wakeThreatened() {
+    bool any = false;
+    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
+        if (bodies_[body] != BodyState::Asleep || !objects_->threatens(body)) continue;
+        wake(body);
+        any = true;
+    }
+    if (any) bodiesChanged();
 }
 
 void GatherSolver::bodiesChanged() {

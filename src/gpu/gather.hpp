@@ -7,6 +7,7 @@
 #include "gpu/contact_pass.hpp"
 #include "gpu/event_buffer.hpp"
 #include "gpu/feedback.hpp"
+#include "gpu/object_pass.hpp"
 #include "gpu/rest_monitor.hpp"
 #include "gpu/texel_target.hpp"
 
@@ -69,9 +70,13 @@ class GatherSolver : public GpuSolver, public BodyHost {
     void watch();
     void fallAsleep(const std::vector<int>& bodies);
     void wakePushed();
+    void wakeThreatened();
     void wake(int body);
     void bodiesChanged();
     void addContacts();
+    void addObjects();
+    /// Whether anything changes in a step: bodies that are awake, objects that move.
+    bool moving() const;
     void updateBonds();
     void updateLinks();
     void updateNodes(bool events, int stepInFrame);
@@ -99,6 +104,7 @@ class GatherSolver : public GpuSolver, public BodyHost {
     TexelRanges awake_;
     std::vector<TexelRange> held_;  ///< cells of awake and sleeping bodies
     std::optional<ContactPass> contact_;
+    std::optional<ObjectPass> objects_;
     std::int64_t droppedContacts_ = 0;
     bool searchDue_ = true;  ///< bodies were changed from outside since the last search
     RestMonitor monitor_;

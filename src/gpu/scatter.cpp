@@ -113,6 +113,7 @@ void ScatterSolver::makePrograms() {
     connectivityProgram_ = gl::Program(
         {.vertex = "scatter/connectivity.vert", .fragment = "scatter/connectivity.frag"});
     nodeProgram_ = gl::Program({.vertex = "scatter/node.vert",
+                                .defines = {{"ROOM", world_.description().room ? "1" : "0"}},
                                 .feedback = {"newDisplacement", "newVelocity"},
                                 .attributes = {{"displacement", 0}, {"velocity", 1}}});
     for (const gl::Program* program :

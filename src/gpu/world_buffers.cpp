@@ -41,6 +41,9 @@ gl::Buffer makeCells(const World& world) {
         for (int corner = 0; corner < kCorners; ++corner)
             bits |= unsigned{world.anchored(kCorners * cell + corner)}
                     << (SUNDER_CELL_ANCHORS_BIT + corner);
+        if (world.present(cell))
+            bits |= static_cast<unsigned>(255 * world.laws()[world.lawOf(cell)].restitution + 0.5)
+                    << SUNDER_CELL_RESTITUTION_BIT;
         const auto damping = static_cast<float>(
             world.present(cell) ? world.laws()[world.lawOf(cell)].contactDamping : 0);
         const auto mass = static_cast<float>(world.nodeMass(kCorners * cell));

@@ -45,6 +45,7 @@ void Backdrop::drawGround(const Camera& camera, const ShadowMap* shadows) const 
     setUniform(ground_, "extent", extent);
     setUniform(ground_, "tile", tileSize(bounds_));
     setUniform(ground_, "hazeLength", 0.24f * extent);
+    setUniform(ground_, "room", bounds_.room);
     setUniform(ground_, "shadowed", shadows != nullptr);
     if (shadows) shadows->bind(ground_);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);

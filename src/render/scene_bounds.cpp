@@ -56,6 +56,8 @@ SceneBounds sceneBounds(const World& world) {
     bounds.lowAir = toGlm(box.low - air);
     bounds.highAir = toGlm(box.high + air);
     bounds.ground = world.description().ground;
+    if (const auto& room = world.description().room)
+        bounds.room = glm::vec4(room->x[0], room->z[0], room->x[1], room->z[1]);
     if (bounds.ground) bounds.lowAir.y = std::min(0.f, bounds.low.y);
     return bounds;
 }

@@ -12,6 +12,7 @@ struct SceneBounds {
     glm::vec3 lowAir,
         highAir;  ///< m, the same with room for debris; ends at the ground where there is one
     bool ground = true;  ///< a floor at y = 0
+    glm::vec4 room{0};   ///< m, low x and z, high x and z of the room's walls; 0: none
     float radius() const { return 0.5f * glm::length(high - low); }
 };
 

@@ -12,6 +12,10 @@ void setUniform(const gl::Program& program, const char* name, const glm::vec3& v
     glUniform3fv(program.uniform(name), 1, glm::value_ptr(value));
 }
 
+void setUniform(const gl::Program& program, const char* name, const glm::vec4& value) {
+    glUniform4fv(program.uniform(name), 1, glm::value_ptr(value));
+}
+
 void setUniform(const gl::Program& program, const char* name, float value) {
     glUniform1f(program.uniform(name), value);
 }

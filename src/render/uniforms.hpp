@@ -8,6 +8,7 @@ namespace sunder {
 // Set a uniform of the program in use.
 void setUniform(const gl::Program&, const char* name, const glm::mat4&);
 void setUniform(const gl::Program&, const char* name, const glm::vec3&);
+void setUniform(const gl::Program&, const char* name, const glm::vec4&);
 void setUniform(const gl::Program&, const char* name, float);
 void setUniform(const gl::Program&, const char* name, bool);
 

@@ -144,7 +144,39 @@ void BodyReader::add(const TableReader& reader, BodyDescription body) {
     if (!groups_.try_emplace(body.name, Group{index, 1}).second)
         reader.fail("name", "there is already a body named " + inQuotes(body.name) +
                                 "; every body needs a name of its own");
+    checkRoom(reader, body);
     world_.bodies.push_back(std::move(body));
+}
+
+void BodyReader::checkRoom(const TableReader& reader, const BodyDescription& body) const {
+    if (!world_.room) return;
+    const RoomDescription& room = *world_.room;
+    constexpr double rounding = 1e-6;  // m; a body may stand against a wall
+    const auto check = [&](int axis, double low, double high, const std::string& walls) {
+        const double half = body.size[axis] / 2;
+        const double from = low + half, to = high - half, place = body.position[axis];
+        if (place >= from - rounding && place <= to + rounding) return;
+        const std::string name = "body " + inQuotes(body.name);
+        if (to < from)
+            reader.fail("size", "size: " + name + " is too large for the room, " + walls +
+                                    "; make it smaller or the room larger");
+        reader.fail("position", "position: number " + std::to_string(axis + 1) + " of " + name +
+                                    " must be from " + formatNumber(from) + " to " +
+                                    formatNumber(to) + " m, not " + formatNumber(place) +
+                                    ", to be inside the room, " + walls);
+    };
+    const auto between = [](const char* axis, const std::array<double, 2>& walls) {
+        return std::string("whose walls stand at ") + axis + " = " + formatNumber(walls[0]) +
+               " and " + formatNumber(walls[1]) + " m";
+    };
+    check(0, room.x[0], room.x[1], between("x", room.x));
+    check(2, room.z[0], room.z[1], between("z", room.z));
+    const double top = body.position[1] + body.size[1];
+    if (room.ceiling && top > *room.ceiling + rounding)
+        reader.fail("position", "position: body " + inQuotes(body.name) + " reaches up to " +
+                                    formatNumber(top) + " m, through the ceiling at " +
+                                    formatNumber(*room.ceiling) +
+                                    " m; lower it or raise ceiling in [room]");
 }
 
 int BodyReader::materialIndex(const TableReader& reader) {

@@ -29,6 +29,21 @@ void readGround(const TableReader& root, WorldDescription& world) {
     }
 }
 
+void readRoom(const TableReader& root, WorldDescription& world) {
+    const auto table = root.table("room", {"x", "z", "friction", "ceiling"});
+    if (!table) return;
+    RoomDescription& room = world.room.emplace();
+    const Range coordinate{-kMaxLength, kMaxLength, "m"};
+    for (const auto& [key, walls] : {std::pair{"x", &room.x}, {"z", &room.z}}) {
+        table->require(key, "[low, high] in m, where the walls stand");
+        table->read(key, *walls, coordinate);
+    }
+    room.friction = world.groundFriction;
+    table->read("friction", room.friction, {0, 10});
+    double ceiling = 0;
+    if (table->read("ceiling", ceiling, {0, kMaxLength, "m", true})) room.ceiling = ceiling;
+}
+
 /// Objects are nothing without contact: they turn it on.
 void readContact(const TableReader& root, WorldDescription& world) {
     world.contact = !world.objects.empty();
@@ -59,8 +74,8 @@ Scene parseScene(std::string_view text, const std::string& file,
                  const std::filesystem::path& folder) {
     const toml::table document = parseToml(text, file);
     const TableReader root(document, file, "the scene",
-                           {"title", "frames", "gravity", "seed", "solver", "ground", "contact",
-                            "camera", "material", "body", "object", "event"});
+                           {"title", "frames", "gravity", "seed", "solver", "ground", "room",
+                            "contact", "camera", "material", "body", "object", "event"});
     Scene scene;
     scene.name = std::filesystem::path(file).stem().string();
     scene.title = scene.name;
@@ -74,6 +89,7 @@ Scene parseScene(std::string_view text, const std::string& file,
     readSolver(root, scene);
     readGround(root, world);
     readObjects(root, world);
+    readRoom(root, world);
     readContact(root, world);
     readCamera(root, scene.camera);
 

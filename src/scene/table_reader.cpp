@@ -145,18 +145,18 @@ bool TableReader::read(std::string_view key, int& value, const WholeRange& range
     return true;
 }
 
-const toml::array& TableReader::three(const toml::node& node, std::string_view key,
-                                      const std::string& kind) const {
+const toml::array& TableReader::list(const toml::node& node, std::string_view key, std::size_t size,
+                                     const std::string& kind) const {
     const toml::array* array = node.as_array();
-    if (!array || array->size() != 3)
-        failAt(&node, std::string(key) + " must be a list of three " + kind + butIs(node));
+    if (!array || array->size() != size)
+        failAt(&node, std::string(key) + " must be a list of " + kind + butIs(node));
     return *array;
 }
 
 bool TableReader::read(std::string_view key, IVec3& value, const WholeRange& range) const {
     const toml::node* node = table_->get(key);
     if (!node) return false;
-    const toml::array& array = three(*node, key, "whole numbers");
+    const toml::array& array = list(*node, key, 3, "three whole numbers");
     for (std::size_t i = 0; i < 3; ++i)
         value[static_cast<int>(i)] =
             static_cast<int>(wholeNumber(array[i], component(key, i), range));
@@ -171,9 +171,23 @@ bool TableReader::read(std::string_view key, Vec3& value, const Range& range, bo
         return true;
     }
     const toml::array& array =
-        three(*node, key, std::string("numbers") + (single ? ", or one number for all three" : ""));
+        list(*node, key, 3,
+             std::string("three numbers") + (single ? ", or one number for all three" : ""));
     for (std::size_t i = 0; i < 3; ++i)
         value[static_cast<int>(i)] = number(array[i], component(key, i), range, "a number ");
+    return true;
+}
+
+bool TableReader::read(std::string_view key, std::array<double, 2>& value,
+                       const Range& range) const {
+    const toml::node* node = table_->get(key);
+    if (!node) return false;
+    const toml::array& array = list(*node, key, 2, "two numbers");
+    for (std::size_t i = 0; i < 2; ++i)
+        value[i] = number(array[i], component(key, i), range, "a number ");
+    if (!(value[0] < value[1]))
+        failAt(node, std::string(key) + ": number 2 must be greater than number 1, " +
+                         formatNumber(value[0]) + ", not " + formatNumber(value[1]));
     return true;
 }
 

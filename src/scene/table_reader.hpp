@@ -1,6 +1,7 @@
 #pragma once
 #include <toml++/toml.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -53,6 +54,8 @@ class TableReader {
     bool read(std::string_view key, IVec3& value, const WholeRange& range) const;
     /// `single`: one number is taken for all three.
     bool read(std::string_view key, Vec3& value, const Range& range, bool single = false) const;
+    /// Two numbers, the second greater than the first.
+    bool read(std::string_view key, std::array<double, 2>& value, const Range& range) const;
     /// One line of 1 to `maxCharacters` bytes without control characters.
     bool read(std::string_view key, std::string& value, std::size_t maxCharacters) const;
 
@@ -91,8 +94,8 @@ class TableReader {
                              const WholeRange& range) const;
     std::string line(const toml::node& node, const std::string& name,
                      std::size_t maxCharacters) const;
-    const toml::array& three(const toml::node& node, std::string_view key,
-                             const std::string& kind) const;
+    const toml::array& list(const toml::node& node, std::string_view key, std::size_t size,
+                            const std::string& kind) const;
     std::size_t choice(const toml::node& node, const std::string& name,
                        std::span<const std::string_view> names) const;
 

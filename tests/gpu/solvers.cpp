@@ -37,7 +37,7 @@ std::unique_ptr<Solver> makeChecked(const World& world) {
 }  // namespace
 
 std::vector<SolverUnderTest> solversUnderTest() {
-    return {{"gather", makeChecked<gpu::GatherSolver>, 6e-8, true, true},
+    return {{"gather", makeChecked<gpu::GatherSolver>, 6e-8, true, true, true},
             {"auto", makeChecked<BalancedSolver>, 6e-8, true},
             {"scatter", makeChecked<gpu::ScatterSolver>, 6e-8}};
 }

@@ -15,6 +15,7 @@ struct SolverUnderTest {
     double epsilon;  ///< unit roundoff of its arithmetic; tolerances are stated in multiples of it
     bool sleeps = false;       ///< lets bodies at rest sleep
     bool contact = false;      ///< cells push each other where the world says so (core/contact.hpp)
+    bool objects = false;      ///< what is thrown at walls (core/object_contact.hpp)
     bool longContact = false;  ///< also cells that are longer than thick
 };
 

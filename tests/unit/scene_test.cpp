@@ -197,6 +197,20 @@ TEST_CASE("A scene needs no more than one body", "[scene]") {
     CHECK(scene.world.events.empty());
 }
 
+TEST_CASE("A room has the ground's friction and no ceiling unless it says so", "[scene]") {
+    const std::string walls = "[room]\nx = [-1.5, 2]\nz = [-0.05, 3]\n";
+    const Scene scene = parseScene("[ground]\nfriction = 0.3\n" + walls + kBody, "walls.toml", {});
+    REQUIRE(scene.world.room);
+    CHECK(scene.world.room->x == std::array{-1.5, 2.0});
+    CHECK(scene.world.room->z == std::array{-0.05, 3.0});
+    CHECK(scene.world.room->friction == 0.3);
+    CHECK(!scene.world.room->ceiling);
+    const Scene high =
+        parseScene(walls + "friction = 0.7\nceiling = 2\n" + kBody, "walls.toml", {});
+    CHECK(high.world.room->friction == 0.7);
+    CHECK(high.world.room->ceiling == 2.0);
+}
+
 TEST_CASE("A mistake in a scene becomes one sentence", "[scene]") {
     const std::vector<Bad> cases{
         // Not TOML, or not a scene.
@@ -252,6 +266,32 @@ TEST_CASE("A mistake in a scene becomes one sentence", "[scene]") {
          {"walls.toml:2: ground: enabled must be true or false, not 1"}},
         {"[ground]\nfriction = -0.1\n" + kBody,
          {"walls.toml:2: ground: friction must be from 0 to 10, not -0.1"}},
+        {"[room]\nx = [-2, 2]\n" + kBody,
+         {"walls.toml:1: room: z is missing; give [low, high] in m, where the walls stand"}},
+        {"[room]\nx = [-2, 0, 2]\n" + kBody,
+         {"walls.toml:2: room: x must be a list of two numbers"}},
+        {"[room]\nx = [2, -2]\nz = [-1, 1]\n" + kBody,
+         {"walls.toml:2: room: x: number 2 must be greater than number 1, 2, not -2"}},
+        {"[room]\nx = [-2, 2]\nz = [-1, 1e5]\n" + kBody,
+         {"walls.toml:3: room: z: number 2 must be from -10000 to 10000 m, not 100000"}},
+        {"[room]\nx = [-2, 2]\nz = [-1, 1]\nfriction = 11\n" + kBody,
+         {"walls.toml:4: room: friction must be from 0 to 10, not 11"}},
+        {"[room]\nx = [-2, 2]\nz = [-1, 1]\nceiling = 0\n" + kBody,
+         {"walls.toml:4: room: ceiling must be", "not 0"}},
+        {"[room]\nx = [-2, 2]\nz = [-1, 1]\nheight = 3\n" + kBody,
+         {"walls.toml:4: unknown key 'height' in room", "known: x, z, friction, ceiling"}},
+        {kBody + "position = [1, 0, 0]\n[room]\nx = [-2, 2]\nz = [-1, 1]\n",
+         {"walls.toml:6: body 1: position: number 1 of body 'wall' must be from -0.5 to 0.5 m, "
+          "not 1, to be inside the room, whose walls stand at x = -2 and 2 m"}},
+        {kBody + "copies = [1, 1, 3]\nspacing = [0, 0, 0.5]\n[room]\nx = [-2, 2]\nz = [-1, 1]\n",
+         {"walls.toml:1: body 1: position: number 3 of body 'wall 3' must be from -0.95 to 0.95 m, "
+          "not 1"}},
+        {kBody + "[room]\nx = [-1, 1]\nz = [-1, 1]\n",
+         {"walls.toml:4: body 1: size: body 'wall' is too large for the room, whose walls stand at "
+          "x = -1 and 1 m; make it smaller or the room larger"}},
+        {kBody + "[room]\nx = [-2, 2]\nz = [-1, 1]\nceiling = 1.5\n",
+         {"walls.toml:1: body 1: position: body 'wall' reaches up to 2 m, through the ceiling at "
+          "1.5 m; lower it or raise ceiling in [room]"}},
         {"[camera]\nposition = [1,1,1]\ntarget = [1,1,1]\n" + kBody,
          {"walls.toml:2: camera: position and target"}},
         {"[camera]\nfield_of_view = 171\n" + kBody,

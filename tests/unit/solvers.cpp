@@ -10,11 +10,11 @@ std::vector<SolverUnderTest> solversUnderTest() {
          [](const World& world) -> std::unique_ptr<Solver> {
              return std::make_unique<ReferenceSolver>(world);
          },
-         1.2e-16, false, true, true},
+         1.2e-16, false, true, true, true},
         {"cpu",
          [](const World& world) -> std::unique_ptr<Solver> {
              return std::make_unique<CpuSolver>(world);
          },
-         6e-8, true, true, true},
+         6e-8, true, true, true, true},
     };
 }

@@ -1,0 +1,91 @@
+// How rounded boxes touch: src/core/object_contact.hpp says what and why.
+#include "shared/layout.h"
+
+const float kTouchPartingTime = 0.01;  // s, kPartingTime
+const float kTouchStiffness = 0.12;    // kContactStiffness
+const float kBounceSpeed = 0.3;        // m/s
+const int kProjections = 6;
+const int kAdvances = 8;
+const float kCellRoundness = 0.1;  // shortest edges
+
+// All points within `radius` of a box.
+struct RoundedBox {
+    vec3 centre;
+    mat3 axes;     // columns, orthonormal
+    vec3 half_;    // m, of the core
+    float radius;  // m
+};
+
+vec3 nearestPoint(RoundedBox box, vec3 x) {
+    vec3 local = clamp((x - box.centre) * box.axes, -box.half_, box.half_);
+    return box.centre + box.axes * local;
+}
+
+struct Touch {
+    vec3 normal;  // from the first to the second
+    vec3 point;   // m, midway between the surfaces
+    float gap;    // m, negative: overlap
+};
+
+Touch touchOf(RoundedBox from, RoundedBox to) {
+    vec3 x = to.centre, y = nearestPoint(from, x);
+    for (int i = 0; i < kProjections; ++i) {
+        x = nearestPoint(to, y);
+        y = nearestPoint(from, x);
+    }
+    float radii = from.radius + to.radius;
+    vec3 apart = x - y;
+    float distance_ = length(apart);
+    if (distance_ < 1.0e-3 * radii) {  // the cores meet
+        x = to.centre;
+        y = nearestPoint(from, x);
+        apart = x - y;
+        if (length(apart) < 1.0e-3 * radii) apart = x - from.centre;
+        distance_ = 0.0;
+    }
+    Touch touch;
+    float size = length(apart);
+    touch.normal = size > 1.0e-6 * radii ? apart / size : vec3(0.0, 1.0, 0.0);
+    touch.gap = distance_ - radii;
+    touch.point = 0.5 * (y + from.radius * touch.normal + x - to.radius * touch.normal);
+    return touch;
+}
+
+// The second moves at `velocity`, m/s, relative to the first for `h` seconds.
+Touch sweptTouch(RoundedBox from, RoundedBox to, vec3 velocity, float h) {
+    Touch touch = touchOf(from, to);
+    float speed = length(velocity), radii = from.radius + to.radius;
+    if (touch.gap <= 0.0 || touch.gap > h * speed || h * speed < 0.1 * radii) return touch;
+    vec3 start = to.centre;
+    float time = 0.0;
+    for (int i = 0; i < kAdvances; ++i) {
+        if (touch.gap <= 0.02 * radii) break;
+        time += touch.gap / speed;
+        if (time > h) {
+            touch.gap = 2.0 * speed * h;  // they miss each other
+            return touch;
+        }
+        to.centre = start + time * velocity;
+        touch = touchOf(from, to);
+    }
+    touch.gap = time * max(0.0, -dot(velocity, touch.normal));
+    return touch;
+}
+
+float partingSpeed(float gap, float h) {
+    return gap > 0.0 ? -gap / h : -gap / max(kTouchPartingTime, h / kTouchStiffness);
+}
+
+bool touches(Touch touch, vec3 velocity, float h) { return dot(velocity, touch.normal) < partingSpeed(touch.gap, h); }
+
+// N·s on the second side. yield_: what both sides give way per impulse, 1/kg; x: along the normal, y: across it.
+vec3 touchImpulse(Touch touch, vec3 velocity, vec2 yield_, float restitution, float friction, float h) {
+    float along = dot(velocity, touch.normal);
+    float parting = partingSpeed(touch.gap, h);
+    if (along < -kBounceSpeed) parting = max(parting, -restitution * along);
+    float push = max(0.0, parting - along) / yield_.x;
+    vec3 sliding = velocity - along * touch.normal;
+    float speed = length(sliding);
+    float drag = min(friction * push, speed / yield_.y);
+    return push * touch.normal - (speed > 0.0 ? drag / speed : 0.0) * sliding;
+}
