@@ -18,7 +18,7 @@ layout(location = 1) out vec4 partners[5];
 
 const int kMostPartners = 20;
 const float kReach = 1.501;     // voxels; rounding on top
-const float kCreepSpeed = 0.3;  // cell edges/s, src/core/sleep.hpp
+const float kCreepSpeed = 0.5;  // cell edges/s, src/core/sleep.hpp
 
 int self;
 uvec4 record;

@@ -116,7 +116,7 @@ CpuSolver::~CpuSolver() = default;
 void CpuSolver::advance(int steps) {
     Runner& runner = *runner_;
     runner.inArena([&] {
-        if (!runner.contact) {
+        if (!runner.contact || (runner.whole.empty() && runner.split.empty())) {
             advanceAlone(steps);
             step_ += steps;
             return;
@@ -309,7 +309,7 @@ State CpuSolver::state() const {
     state.step = step_;
     for (const auto& run : bodies_)
         if (run->held) run->store(state);
-    if (runner_->objects) state.objects = runner_->objects->states();
+    storeObjects(state);
     return state;
 }
 
@@ -326,6 +326,7 @@ void CpuSolver::adopt(const std::vector<int>& bodies, const State& state) {
         bodies_[body]->load(state);
         bodies_[body]->held = true;
     }
+    if (runner_->objects) runner_->objects->set(state.objects);
     shareOut();
 }
 
@@ -334,6 +335,7 @@ void CpuSolver::release(const std::vector<int>& bodies, State& state) {
         bodies_[body]->store(state);
         bodies_[body]->held = false;
     }
+    storeObjects(state);
     shareOut();
 }
 
@@ -343,6 +345,10 @@ bool CpuSolver::holds(int body) const {
 
 void CpuSolver::store(int body, State& state) const {
     bodies_[body]->store(state);
+}
+
+void CpuSolver::storeObjects(State& state) const {
+    if (runner_->objects) state.objects = runner_->objects->states();
 }
 
 int CpuSolver::threads() const {

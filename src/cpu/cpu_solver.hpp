@@ -28,6 +28,7 @@ class CpuSolver : public Solver, public BodyHost {
     bool holds(int body) const override;
     /// Puts a body that it holds into its part of `state`.
     void store(int body, State& state) const;
+    void storeObjects(State& state) const;
 
     int threads() const;
     /// Bytes held per tetrahedron, all bodies together.

@@ -45,6 +45,7 @@ class GatherSolver : public GpuSolver, public BodyHost {
     bool holds(int body) const override { return bodies_[body] != BodyState::Elsewhere; }
     /// Where a body that another solver holds is to be drawn.
     void show(int body, const State& state);
+    void showObjects(const State& state);
 
   private:
     enum class BodyState { Awake, Asleep, Elsewhere };
@@ -101,9 +102,9 @@ class GatherSolver : public GpuSolver, public BodyHost {
 
     std::vector<BodyState> bodies_;
     TexelRanges awake_;
-    std::vector<TexelRange> held_;  ///< cells of awake and sleeping bodies
     std::optional<ContactPass> contact_;
     std::optional<ObjectPass> objects_;
+    bool held_ = true;  ///< any body
     std::int64_t droppedContacts_ = 0;
     RestMonitor monitor_;
     bool newNodeWatch_ = true, newBondWatch_ = true;  ///< no step, no update since the last look

@@ -98,10 +98,10 @@ hung_from = [1, 5, 3]
     CHECK(scene.world.events.empty());
 }
 
-TEST_CASE("Objects turn contact on", "[scene]") {
-    CHECK_FALSE(parse(kBody).world.contact);
+TEST_CASE("Things touch unless the scene says that they do not", "[scene]") {
+    CHECK(parse(kBody).world.contact);
     CHECK(parse(kBody + kSphere + kMass).world.contact);
-    CHECK(parse("[contact]\nenabled = true\n" + kBody).world.contact);
+    CHECK_FALSE(parse("[contact]\nenabled = false\n" + kBody).world.contact);
 }
 
 TEST_CASE("A mistake in an object or a throw becomes one sentence", "[scene]") {
