@@ -1,5 +1,9 @@
 // Contact forces, one fragment per sphere. CORNERS: added to those on the corners of its cell, whose only sphere it is.
+// IMPULSES: not the forces, but how hard it is pushed and by whom.
 #include "contact/sphere_texel.glsl"
+#if IMPULSES
+#include "incidents/rank.glsl"
+#endif
 #include "physics/contact.glsl"
 
 uniform sampler2DArray partners;   // contact/search.frag
@@ -7,7 +11,9 @@ uniform sampler2DArray summaries;  // of that, layer 0, per cell
 uniform samplerBuffer strengths;   // w: friction
 uniform float stepSize;            // s
 
-#if CORNERS
+#if IMPULSES
+layout(location = 0) out vec4 pushed;  // x: N·s, blended by addition; w: rankOf(), by MAX
+#elif CORNERS
 layout(location = 0) out vec4 forces[8];  // N, blended by addition
 #else
 layout(location = 0) out vec4 force;  // N
@@ -28,6 +34,9 @@ void main() {
     vec3 velocity = texelFetch(spheres, ivec3(texel, 1), 0).xyz;
     ContactSide own = sideOf(cellOf(self), centre.w);
     vec3 sum = vec3(0.0);
+#if IMPULSES
+    float total = 0.0, hardest = 0.0;
+#endif
     vec4 some = vec4(0.0);  // of the partners, the next one first
     for (int p = 0; p < count; ++p) {
         some = (p & 3) == 0 ? texelFetch(partners, ivec3(texel, 1 + (p >> 2)), 0) : some.yzwx;
@@ -40,11 +49,19 @@ void main() {
             // Both spheres of a pair work out the same numbers: the lower one's less the higher one's.
             float sign_ = self < other ? 1.0 : -1.0;
             vec3 closing = velocity - texelFetch(spheres, ivec3(address, 1), 0).xyz;
-            sum += sign_ * contactForce(own, sideOf(cellOf(other), theirs.w), sign_ * apart, sign_ * closing, some.x < 0.0,
-                                        stepSize);
+            vec3 force_ = contactForce(own, sideOf(cellOf(other), theirs.w), sign_ * apart, sign_ * closing, some.x < 0.0,
+                                       stepSize);
+            sum += sign_ * force_;
+#if IMPULSES
+            float impulse = stepSize * length(force_);
+            total += impulse;
+            if (impulse > 0.0) hardest = max(hardest, rankOf(impulse, uint(cellOf(other))));
+#endif
         }
     }
-#if CORNERS
+#if IMPULSES
+    pushed = vec4(total, 0.0, 0.0, hardest);
+#elif CORNERS
     for (int k = 0; k < 8; ++k) forces[k] = vec4(0.125 * sum, 0.0);
 #else
     force = vec4(sum, 0.0);

@@ -1,8 +1,9 @@
 // A cell and an object that may touch: one point. WHAT: COUNT adds one to the object's touches, REACTION the impulse on the
-// object, FORCE the forces on the cell's corners.
+// object, FORCE the forces on the cell's corners, IMPULSE how hard it is pushed.
 #define COUNT 0
 #define REACTION 1
 #define FORCE 2
+#define IMPULSE 3
 #include "objects/cell.glsl"
 
 uniform samplerBuffer strengths;  // w: friction
@@ -22,6 +23,9 @@ out CellForces {
     flat vec3 force[8];  // N
     flat int cell;
 } given;
+#elif WHAT == IMPULSE
+flat out float impulse;  // N·s
+flat out int object_;
 #endif
 
 // Half a sphere's share of a cell along each axis.
@@ -42,6 +46,9 @@ void main() {
 #elif WHAT == FORCE
     for (int corner = 0; corner < 8; ++corner) given.force[corner] = vec3(0.0);
     given.cell = pair.x;
+#elif WHAT == IMPULSE
+    impulse = 0.0;
+    object_ = 0;
 #endif
     int cell = pair.x;
     uvec4 record = cellRecord(cell);
@@ -96,16 +103,20 @@ void main() {
     vec2 yield_ = yieldOf(kind, state, touch) * texelFetch(touchCounts, ivec3(object, 0, 0), 0).x;
     yield_ += squares / cornerMass(record) * cellTouches;
     float restitution = float(record.x >> SUNDER_CELL_RESTITUTION_BIT) / 255.0;
-    vec3 impulse =
+    vec3 given_ =
         touchImpulse(touch, velocity, yield_, 0.5 * (kind.surface.y + restitution),
                      0.5 * (kind.surface.x + texelFetch(strengths, cell).w), stepSize);
 #if WHAT == REACTION
-    linear = -impulse;
+    linear = -given_;
     angular = cross(touch.point - state.position.xyz, linear);
     show(ivec2(object, 0));
-#else
-    for (int corner = 0; corner < 8; ++corner) given.force[corner] = weights[corner] / stepSize * impulse;
+#elif WHAT == FORCE
+    for (int corner = 0; corner < 8; ++corner) given.force[corner] = weights[corner] / stepSize * given_;
     show(texelAddress(cell));
+#else
+    impulse = length(given_);
+    object_ = object;
+    if (impulse > 0.0) show(texelAddress(cell) * ivec2(targetSize.x >> textureShift, 1));  // its first sphere
 #endif
 #endif
 }

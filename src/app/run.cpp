@@ -72,6 +72,9 @@ int fitStepsToFrame(Scene& scene, double fps) {
     return steps;
 }
 
+/// Incidents in a frame that are not lost.
+constexpr std::size_t kIncidentRoom = 65536;
+
 /// Draws frames into DIR/frame_0000.png, … .
 class FrameWriter {
   public:
@@ -132,8 +135,10 @@ int run(RunOptions options) {
         facts.renderer = context->info().renderer;
         buffers.emplace(world);
     }
+    IncidentRing incidents(kIncidentRoom);
     const std::unique_ptr<Solver> solver =
         makeSolver(solverInfo, world, buffers ? &*buffers : nullptr);
+    solver->setIncidents(&incidents);
     std::optional<FrameWriter> frameWriter;
     if (pictures) frameWriter.emplace(scene, world, *solver, *buffers, settings, options.out);
     if (context) context->check();
@@ -157,6 +162,7 @@ int run(RunOptions options) {
             const std::chrono::duration<double, std::milli> elapsed =
                 std::chrono::steady_clock::now() - start;
             facts.msPerStep.push_back(elapsed.count() / facts.stepsPerFrame);
+            facts.incidents.take(incidents);
         }
     }
     if (const auto* shared = dynamic_cast<const BalancedSolver*>(solver.get()))

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/pieces.hpp"
+
 namespace sunder::app {
 namespace {
 
@@ -30,6 +32,31 @@ std::string shortNumber(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g", value);
     return text;
+}
+
+nlohmann::ordered_json incidentsJson(const World& world, const State& state,
+                                     const IncidentTally& tally) {
+    using nlohmann::ordered_json;
+    const Pieces pieces = findPieces(world, state);
+    ordered_json strongest = ordered_json::array();
+    for (const Incident& incident : tally.strongest) {
+        const Vec3& x = incident.place;
+        strongest.push_back(
+            {{"kind", incident.kind == Incident::Kind::Break ? "break" : "contact"},
+             {"time", static_cast<double>(incident.step) * world.step()},
+             {"place", {number(x[0]), number(x[1]), number(x[2])}},
+             {"impulse", number(incident.impulse)},
+             {"materials", materialsOf(world, incident)},
+             {"piece", pieces.ofCell[incident.cell]},
+             {"object", incident.object < 0
+                            ? ordered_json()
+                            : ordered_json(world.description().objects[incident.object].name)}});
+    }
+    return {{"contacts", tally.contacts},
+            {"breaks", tally.breaks},
+            {"dropped", tally.dropped},
+            {"capacity", tally.capacity},
+            {"strongest", strongest}};
 }
 
 }  // namespace
@@ -72,6 +99,7 @@ std::string reportJson(const Scene& scene, const World& world, const State& stat
         {"bonds_broken", d.bondsBroken},
         {"pieces", d.pieces},
         {"state_hash", hex(stateHash(state))},
+        {"incidents", incidentsJson(world, state, facts.incidents)},
         {"energy",
          {{"kinetic", number(d.kinetic)},
           {"elastic", number(d.elastic)},
@@ -102,6 +130,14 @@ std::string reportText(const Scene& scene, const World& world, const State& stat
     text << "\nbonds broken " << d.bondsBroken << " of " << world.bondCount() << ", pieces "
          << d.pieces << ", fastest node " << shortNumber(d.maxSpeed) << " m/s, "
          << shortNumber(percentile(facts.msPerStep, 0.5)) << " ms per step\n";
+    const IncidentTally& tally = facts.incidents;
+    text << "incidents: " << tally.breaks << " breaks, " << tally.contacts << " contacts";
+    if (!tally.strongest.empty())
+        text << ", up to " << shortNumber(tally.strongest.front().impulse) << " N·s";
+    if (tally.dropped > 0)
+        text << "; " << tally.dropped << " more than there was room for (" << tally.capacity
+             << " at a time)";
+    text << "\n";
     if (d.nan) text << d.nan << " nodes are not a number: this is a defect, please report it\n";
     return text.str();
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/incident_tally.hpp"
 #include "core/diagnostics.hpp"
 #include "scene/scene.hpp"
 
@@ -16,6 +17,7 @@ struct RunFacts {
     int stepsPerFrame = 0;
     std::optional<int> bodiesOnGpu;  ///< at the end, of a solver that shares them out
     std::vector<double> msPerStep;   ///< one entry per frame
+    IncidentTally incidents;
 };
 
 /// The contents of --json.

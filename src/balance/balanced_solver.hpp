@@ -25,6 +25,10 @@ class BalancedSolver : public gpu::GpuSolver {
     void setState(const State& state) override;
     bool asleep(int body) const override;
     gpu::StateView view() override;
+    void setIncidents(IncidentRing* ring) override {
+        gather_.setIncidents(ring);
+        cpu_.setIncidents(ring);
+    }
 
     bool onGpu(int body) const { return gather_.holds(body); }
     int bodiesOnGpu() const;

@@ -5,6 +5,8 @@
 
 namespace sunder {
 
+class IncidentRing;
+
 /// Advances a world in time. Every solver means the same physics (shared contract: README,
 /// "Solvers").
 class Solver {
@@ -20,6 +22,10 @@ class Solver {
     virtual void setState(const State& state) = 0;
     /// Whether a body is at rest and costs nothing (core/sleep.hpp); solvers may never let one.
     virtual bool asleep([[maybe_unused]] int body) const { return false; }
+    /// From now on incidents go there; null: nowhere, the default, at no cost. The state does not
+    /// depend on it. Solvers on a GPU hand them over two looks late, all in finish(). The ring
+    /// must outlive its use here.
+    virtual void setIncidents(IncidentRing* ring) = 0;
 };
 
 }  // namespace sunder

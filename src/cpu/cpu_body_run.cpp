@@ -69,6 +69,7 @@ void BodyRun::endStep() {
         news = {};
     }
     if (broke) {
+        if (listBreaks_) listBroken();
         relinkBroken(world_, storage_.arrays());
         ++relinks_;
     }
@@ -122,6 +123,27 @@ void BodyRun::gatherPushes(std::int64_t step) {
     }
 }
 
+void BodyRun::listBroken() {
+    const BodyArrays& a = storage_.arrays();
+    const Body& body = world_.bodies()[a.index];
+    for (int cell = body.firstCell; cell < body.firstCell + body.cellCount(); ++cell) {
+        const IVec3 c = body.coordinates(cell);
+        const int broke = a.broke[a.place(c[0], c[1], c[2])];
+        for (int axis = 0; axis < 3; ++axis)
+            if (broke >> axis & 1) broken_.push_back(kBondsPerCell * cell + axis);
+    }
+}
+
+Vec3 BodyRun::position(int node) const {
+    const BodyArrays& a = storage_.arrays();
+    const IVec3 c = world_.bodies()[a.index].coordinates(node / kCorners);
+    Vec3 position = world_.restPosition(node);
+    for (int axis = 0; axis < 3; ++axis)
+        position[axis] += a.displacement[tiled(kNodeComponents, 3 * (node % kCorners) + axis,
+                                               a.place(c[0], c[1], c[2]))];
+    return position;
+}
+
 void BodyRun::updateSleep(bool calm) {
     calmSteps_ = calm ? calmSteps_ + world_.description().fractureInterval : 0;
     if (calmSteps_ < sleepSteps_) return;
@@ -160,6 +182,7 @@ void BodyRun::load(const State& state) {
     ++relinks_;
     asleep_ = touching_ = false;
     calmSteps_ = 0;
+    broken_.clear();
 }
 
 void BodyRun::store(State& state) const {

@@ -27,6 +27,20 @@ class BodyRun {
     void endStep();
     const BodyArrays& arrays() const { return storage_.arrays(); }
 
+    /// Whether bonds that break are listed from now on.
+    void listBreaks(bool list) {
+        listBreaks_ = list;
+        broken_.clear();
+    }
+    /// Calls work(bond) for those that broke since the last time.
+    template <class Work>
+    void takeBreaks(const Work& work) {
+        for (const int bond : broken_) work(bond);
+        broken_.clear();
+    }
+    /// m, of one of the body's nodes.
+    Vec3 position(int node) const;
+
     void load(const State& state);
     void store(State& state) const;
     bool asleep() const { return asleep_; }
@@ -66,6 +80,7 @@ class BodyRun {
     Inner inner(int first, int end) const;
     void gatherPushes(std::int64_t step);
     void updateSleep(bool calm);
+    void listBroken();
 
     const World& world_;
     BodyStorage storage_;
@@ -78,6 +93,8 @@ class BodyRun {
     bool asleep_ = false, touching_ = false;
     bool check_ = false, fracture_ = false;  ///< what the step in progress has
     std::uint32_t relinks_ = 0;
+    bool listBreaks_ = false;
+    std::vector<int> broken_;
 };
 
 template <class Split>

@@ -10,7 +10,7 @@ constexpr int kTilesPerStretch = 32;
 
 }  // namespace
 
-Contact::Contact(const World& world, std::vector<const BodyArrays*> bodies) {
+Contact::Contact(const World& world, std::vector<const BodyArrays*> bodies) : world_(world) {
     step_ = static_cast<float>(world.step());
     closing_ = static_cast<float>(contactMargin(0, 0, 1, world.step()));
     partingTime_ = static_cast<float>(
@@ -243,6 +243,9 @@ void Contact::push(Range cells) {
                     pairForce(first ? sphere : other, first ? other : sphere, partner_[entry] & 1);
                 for (int axis = 0; axis < 3; ++axis) sum[axis] += first ? f[axis] : -f[axis];
                 pushed = true;
+                if (watch_)
+                    watch_->push(worldCell(sphere), std::sqrt(distance2(f)) * step_,
+                                 worldCell(other), -1);
             }
             if (!pushed) continue;
             for (int corner = 0; corner < kCorners; ++corner)

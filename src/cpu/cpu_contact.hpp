@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/contact.hpp"
+#include "core/incident_watch.hpp"
 #include "cpu/cpu_body.hpp"
 #include "cpu/cpu_contact_grid.hpp"
 
@@ -30,7 +31,7 @@ inline float distance2(const std::array<float, 3>& a) {
 /// operands ordered by number, so their forces are opposite to the bit.
 class Contact {
   public:
-    /// `bodies`: all of the world's, in its order; must outlive it.
+    /// `bodies`: all of the world's, in its order; both must outlive it.
     Contact(const World& world, std::vector<const BodyArrays*> bodies);
 
     struct BodyStatus {
@@ -70,6 +71,8 @@ class Contact {
     /// adds to them. A search leaves nothing to follow.
     void follow(Range tiles);
     void push(Range cells);
+    /// Gets to know what is pushed; null: nobody does.
+    void setWatch(IncidentWatch* watch) { watch_ = watch; }
 
     std::size_t bytes() const;
 
@@ -149,12 +152,18 @@ class Contact {
     void listActive();
     void findIslands();
     std::array<float, 3> pairForce(int a, int b, bool neighbours) const;
+    /// World-wide number of a sphere's cell.
+    int worldCell(int sphere) const {
+        return world_.bodies()[bodies_[bodyOf_[sphere]].arrays->index].cellAt(lattice_[sphere]);
+    }
 
+    const World& world_;
     std::vector<BodyContact> bodies_;
     std::vector<CellLaw> laws_;
     float step_ = 0, closing_ = 0;  ///< s; closing_·speed: the margin that speed asks for
     float partingTime_ = 0;         ///< s
     bool due_ = true;
+    IncidentWatch* watch_ = nullptr;
 
     // Per sphere.
     std::array<std::vector<float>, 3> rest_, moved_, velocity_;  ///< m, m, m/s

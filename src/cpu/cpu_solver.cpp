@@ -38,6 +38,7 @@ struct CpuSolver::Runner {
     std::optional<cpu::Contact> contact;
     std::optional<Objects> objects;
     std::optional<cpu::ObjectCells> objectCells;
+    std::unique_ptr<IncidentWatch> watch;
     std::vector<bool> touching;  ///< per body: something else may touch it
     /// Awake bodies that may touch something, in groups that have nothing to do with each other;
     /// with objects, the first are those near one and what hangs on them.
@@ -117,8 +118,7 @@ void CpuSolver::advance(int steps) {
     Runner& runner = *runner_;
     runner.inArena([&] {
         if (!runner.contact || (runner.whole.empty() && runner.split.empty())) {
-            advanceAlone(steps);
-            step_ += steps;
+            advanceTo(step_ + steps);
             return;
         }
         for (const std::int64_t end = step_ + steps; step_ < end;) {
@@ -129,11 +129,29 @@ void CpuSolver::advance(int steps) {
             if (runner.contact->due() || step_ % kContactInterval == 0 ||
                 (runner.objects && runner.objects->searchDue()))
                 searchContacts(next);
-            const auto count = static_cast<int>(next - step_);
-            advanceAlone(count);
-            advanceTouching(count);
-            step_ = next;
+            advanceTo(next);
         }
+    });
+}
+
+/// With what the last search found.
+void CpuSolver::advanceTo(std::int64_t end) {
+    const IncidentWatch* watch = runner_->watch.get();
+    while (step_ < end) {
+        const auto count =
+            static_cast<int>((watch ? std::min(end, watch->next(step_)) : end) - step_);
+        advanceAlone(count);
+        if (runner_->contact) advanceTouching(count);
+        step_ += count;
+        if (watch && watch->due(step_)) lookForIncidents();
+    }
+}
+
+void CpuSolver::lookForIncidents() {
+    IncidentWatch& watch = *runner_->watch;
+    for (const auto& run : bodies_) run->takeBreaks([&](int bond) { watch.broke(bond); });
+    watch.look(step_, [this](int node) {
+        return bodies_[world_.bodyOf(node / kCorners)]->position(node);
     });
 }
 
@@ -319,6 +337,15 @@ void CpuSolver::setState(const State& state) {
         if (run->held) run->load(state);
     if (runner_->contact) runner_->contact->forget();
     if (runner_->objects) runner_->objects->set(state.objects);
+    if (runner_->watch) runner_->watch->forget();
+}
+
+void CpuSolver::setIncidents(IncidentRing* ring) {
+    Runner& runner = *runner_;
+    runner.watch = ring ? std::make_unique<IncidentWatch>(world_, *ring) : nullptr;
+    for (const auto& run : bodies_) run->listBreaks(ring != nullptr);
+    if (runner.contact) runner.contact->setWatch(runner.watch.get());
+    if (runner.objects) runner.objects->setWatch(runner.watch.get());
 }
 
 void CpuSolver::adopt(const std::vector<int>& bodies, const State& state) {

@@ -22,6 +22,7 @@ class CpuSolver : public Solver, public BodyHost {
     State state() const override;
     void setState(const State& state) override;
     bool asleep(int body) const override;
+    void setIncidents(IncidentRing* ring) override;
 
     void adopt(const std::vector<int>& bodies, const State& state) override;
     void release(const std::vector<int>& bodies, State& state) override;
@@ -38,6 +39,7 @@ class CpuSolver : public Solver, public BodyHost {
     struct Runner;
     struct BodyRun;
     void shareOut();
+    void advanceTo(std::int64_t end);
     /// Advances bodies that touch nothing, each by itself.
     void advanceAlone(int steps);
     /// Advances bodies in contact, step by step: each island by one thread, or a large one by all.
@@ -46,6 +48,7 @@ class CpuSolver : public Solver, public BodyHost {
     void advanceLargeIsland(int steps, const std::vector<int>& bodies);
     void searchContacts(std::int64_t until);
     void findIslands();
+    void lookForIncidents();
     /// Whether objects advance with this island: the first one.
     bool hasObjects(const std::vector<int>& island) const;
 

@@ -216,7 +216,9 @@ void Objects::apply(const Active& active, Cells& cells) {
     };
     give(active.object, -impulse);
     if (active.other >= 0) give(active.other, impulse);
-    if (active.cell >= 0) cells.push(active.cell, active.weights, impulse / world_.step());
+    if (active.cell < 0) return;
+    cells.push(active.cell, active.weights, impulse / world_.step());
+    if (watch_) watch_->push(active.cell, impulse.norm(), -1, active.object);
 }
 
 void Objects::move() {

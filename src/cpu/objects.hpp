@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/incident_watch.hpp"
 #include "core/object_contact.hpp"
 #include "core/room.hpp"
 #include "core/world.hpp"
@@ -31,6 +32,8 @@ class Objects {
 
     const std::vector<ObjectState>& states() const { return states_; }
     void set(const std::vector<ObjectState>& states);
+    /// Gets to know what is pushed; null: nobody does.
+    void setWatch(IncidentWatch* watch) { watch_ = watch; }
 
     /// Objects that step number `step` begins with are thrown.
     void startStep(std::int64_t step);
@@ -83,6 +86,7 @@ class Objects {
     std::vector<int> cellTouches_;    ///< N, per candidate's cell, 0 between steps
     std::vector<int> objectTouches_;  ///< K
     std::vector<Impulse> impulses_;
+    IncidentWatch* watch_ = nullptr;
     bool searchDue_ = true;
 };
 

@@ -96,6 +96,12 @@ void ReferenceSolver::setState(const State& state) {
     if (objects_) objects_->set(state.objects);
     updateLinks();
     searchDue_ = true;
+    if (watch_) watch_->forget();
+}
+
+void ReferenceSolver::setIncidents(IncidentRing* ring) {
+    watch_ = ring ? std::make_unique<IncidentWatch>(world_, *ring) : nullptr;
+    if (objects_) objects_->setWatch(watch_.get());
 }
 
 void ReferenceSolver::advance(int steps) {
@@ -105,13 +111,20 @@ void ReferenceSolver::advance(int steps) {
             contact_->search(state_, links_);
         searchDue_ = false;
         updateElements(fracture);
-        if (contact_) contact_->addForces(state_, force_);
+        if (contact_) contact_->addForces(state_, force_, watch_.get());
         if (objects_) pushObjects();
         updateNodes();
         if (objects_) objects_->move();
         if (fracture) updateFracture();
         ++state_.step;
+        if (watch_ && watch_->due(state_.step)) lookForIncidents();
     }
+}
+
+void ReferenceSolver::lookForIncidents() {
+    watch_->look(state_.step, [this](int node) -> Vec3 {
+        return world_.restPosition(node) + state_.displacement[node];
+    });
 }
 
 /// Forces of every tetrahedron on its own copies of its corners: −V·P·∇N.
@@ -199,7 +212,11 @@ void ReferenceSolver::updateFracture() {
     const std::vector<double> before = state_.damage;
     breakCells();
     damageBonds();
-    if (state_.damage != before) updateLinks();
+    if (state_.damage == before) return;
+    updateLinks();
+    if (!watch_) return;
+    for (int bond = 0; bond < world_.bondSlots(); ++bond)
+        if (before[bond] < 1 && state_.damage[bond] >= 1) watch_->broke(bond);
 }
 
 /// `fracture = "cell"` (thesis, chapter 7): an overstressed cell leaves all its neighbours.

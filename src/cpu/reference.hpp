@@ -1,8 +1,10 @@
 #pragma once
 #include <array>
+#include <memory>
 #include <optional>
 
 #include "core/elasticity.hpp"
+#include "core/incident_watch.hpp"
 #include "core/room.hpp"
 #include "core/solver.hpp"
 #include "cpu/objects.hpp"
@@ -20,6 +22,7 @@ class ReferenceSolver : public Solver {
     void advance(int steps) override;
     State state() const override;
     void setState(const State& state) override;
+    void setIncidents(IncidentRing* ring) override;
 
   private:
     struct Element {
@@ -41,6 +44,7 @@ class ReferenceSolver : public Solver {
     void breakCells();
     void damageBonds();
     void updateLinks();
+    void lookForIncidents();
     double equivalentTraction(int cell, int axis, const ElementLaw&, double interval);
 
     const World& world_;
@@ -55,6 +59,7 @@ class ReferenceSolver : public Solver {
     std::vector<double> principal_;       ///< Pa, per cell, likewise
     std::optional<ReferenceContact> contact_;
     std::optional<Objects> objects_;
+    std::unique_ptr<IncidentWatch> watch_;
     bool searchDue_ = true;  ///< the state was set: pairs are unknown
 };
 

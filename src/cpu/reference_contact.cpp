@@ -123,11 +123,16 @@ void ReferenceContact::addToCorners(int cell, int number, const Vec3& force,
         nodes[kCorners * cell + corner] += weights[corner] * force;
 }
 
-void ReferenceContact::addForces(const State& state, std::vector<Vec3>& force) const {
+void ReferenceContact::addForces(const State& state, std::vector<Vec3>& force,
+                                 IncidentWatch* watch) const {
     for (const Pair& pair : pairs_) {
         const Vec3 onA = pairForce(pair, state);
         addToCorners(pair.cellA, pair.sphereA, onA, force);
         addToCorners(pair.cellB, pair.sphereB, -onA, force);
+        if (!watch) continue;
+        const double impulse = onA.norm() * world_.step();
+        watch->push(pair.cellA, impulse, pair.cellB, -1);
+        watch->push(pair.cellB, impulse, pair.cellA, -1);
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/contact.hpp"
+#include "core/incident_watch.hpp"
 
 namespace sunder {
 
@@ -11,8 +12,8 @@ class ReferenceContact {
 
     /// `links`: linkMask() per node, as the bonds of `state` are.
     void search(const State& state, const std::vector<std::uint8_t>& links);
-    /// Adds the forces of the listed pairs to the nodes' (N).
-    void addForces(const State& state, std::vector<Vec3>& force) const;
+    /// Adds the forces of the listed pairs to the nodes' (N). watch: may be null.
+    void addForces(const State& state, std::vector<Vec3>& force, IncidentWatch* watch) const;
 
   private:
     struct Sphere {

@@ -141,6 +141,14 @@ void Buffer::write(std::size_t offset, std::size_t bytes, const void* data) {
                     static_cast<GLsizeiptr>(bytes), data);
 }
 
+void Buffer::copy(const Buffer& from) {
+    assert(from.bytes_ == bytes_);
+    glBindBuffer(GL_COPY_READ_BUFFER, from.id());
+    glBindBuffer(GL_COPY_WRITE_BUFFER, id());
+    glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
+                        static_cast<GLsizeiptr>(bytes_));
+}
+
 void Buffer::read(std::size_t offset, std::size_t bytes, void* data) const {
     assert(offset <= bytes_ && bytes <= bytes_ - offset);
     if (bytes == 0) return;

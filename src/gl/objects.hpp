@@ -62,6 +62,8 @@ class Buffer {
     std::size_t size() const { return bytes_; }
     /// Within size(); offset and bytes count bytes.
     void write(std::size_t offset, std::size_t bytes, const void* data);
+    /// All of `from`, which is of the same size, within the GPU.
+    void copy(const Buffer& from);
     /// Waits for the GPU; never inside a frame.
     void read(std::size_t offset, std::size_t bytes, void* data) const;
 

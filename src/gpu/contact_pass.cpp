@@ -10,8 +10,9 @@
 namespace sunder::gpu {
 namespace {
 
-/// Numbers of spheres are floats in textures.
-constexpr std::int64_t kMostSpheres = (1 << 24) - 2;
+/// Numbers of spheres are floats in textures; those of objects come after
+/// (glsl/incidents/rank.glsl).
+constexpr std::int64_t kMostSpheres = (1 << 24) - 2 - kMaxObjects;
 
 int sphereBits(const World& world) {
     unsigned most = 1;
@@ -129,7 +130,8 @@ ContactPass::ContactPass(const World& world, int columns, Storage storage)
     const bool atOnce = sphereBits_ == 0 && storage == Storage::Textures;
     if (!atOnce) sphereForces_.emplace(countSpheres(world), columns << sphereBits_, 1, "pushes");
     pushProgram_ =
-        program(partners_, "contact/push.frag", gl::with(defines_, "CORNERS", atOnce ? "1" : "0"));
+        program(partners_, "contact/push.frag",
+                gl::with(gl::with(defines_, "IMPULSES", "0"), "CORNERS", atOnce ? "1" : "0"));
     if (sphereBits_ > 0) {
         summaries_.emplace(world.cellCount(), columns, 1, "contact summaries");
         summaryProgram_ = summaries_->program(world, "contact/summary.frag", defines_);
@@ -259,6 +261,15 @@ void ContactPass::push() {
     const WhereAny where(anyExposed_);
     sphereForces_->fill(pushProgram_, awakeSpheres_);
     gl::bindTexture(kSphereForces, GL_TEXTURE_2D_ARRAY, sphereForces_->texture());
+}
+
+TexelTarget ContactPass::sphereTarget(const char* what) const {
+    return {countSpheres(world_), columns_ << sphereBits_, 1, what};
+}
+
+void ContactPass::fillAwake(const TexelTarget& target, const gl::Program& program) const {
+    const WhereAny where(anyExposed_);
+    target.fill(program, awakeSpheres_);
 }
 
 std::int64_t ContactPass::dropped() const {

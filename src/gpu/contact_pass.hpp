@@ -41,6 +41,12 @@ class ContactPass {
     /// Works out what pushes each sphere that has partners, for glsl/contact/corner_forces.glsl.
     void push();
 
+    /// For passes of others with a texel per sphere: a target, a program for one, and running it on
+    /// the spheres of awake cells, where any may touch something.
+    TexelTarget sphereTarget(const char* what) const;
+    gl::Program program(const TexelTarget& target, const char* fragment, gl::Defines defines) const;
+    void fillAwake(const TexelTarget& target, const gl::Program& program) const;
+
     /// What shaders that include glsl/contact/sphere.glsl must be compiled with.
     const gl::Defines& defines() const { return defines_; }
     /// Layer 0, per cell: what the last search found (glsl/contact/search.frag).
@@ -51,7 +57,6 @@ class ContactPass {
     std::int64_t dropped() const;
 
   private:
-    gl::Program program(const TexelTarget& target, const char* fragment, gl::Defines defines) const;
     void search(PassTimer* timer);
     void fillRegions();
     void findExposed();

@@ -33,6 +33,10 @@ enum Unit {
     kMotion,
     kTouchCounts,
     kImpulses,
+    kKnownBonds,
+    kPushes,
+    kPushesBefore,
+    kPushesEarlier,
     kUnitCount
 };
 

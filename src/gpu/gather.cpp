@@ -96,6 +96,10 @@ State GatherSolver::state() const {
 
 void GatherSolver::setState(const State& state) {
     step_ = state.step;
+    if (incidents_) {
+        incidents_->finish();
+        incidents_->forget();
+    }
     write({0, world_.cellCount()}, state);
     showObjects(state);
     for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
@@ -152,6 +156,9 @@ void GatherSolver::write(TexelRange cells, const State& state) {
         }
     bonds_[currentBonds_].write(0, cells.first, damage);
     bonds_[currentBonds_].write(1, cells.first, slow);
+    if (incidents_)
+        incidents_->known().write(cells.first * sizeof(vec4), damage.size() * sizeof(vec4),
+                                  damage.data());
 }
 
 void GatherSolver::read(TexelRange cells, State& state) const {
@@ -196,6 +203,15 @@ StateView GatherSolver::view() {
 
 void GatherSolver::finish() {
     glFinish();
+    if (incidents_) incidents_->finish();
+}
+
+void GatherSolver::setIncidents(IncidentRing* ring) {
+    incidents_.reset();
+    if (!ring) return;
+    incidents_.emplace(world_, ContactPass::Storage::Textures, columns_,
+                       contact_ ? &*contact_ : nullptr, objects_ ? &*objects_ : nullptr, *ring);
+    bonds_[currentBonds_].copy(0, incidents_->known());
 }
 
 void GatherSolver::bindInputs() const {
@@ -210,27 +226,45 @@ void GatherSolver::bindInputs() const {
 void GatherSolver::advance(int steps) {
     const bool events = events_.write(step_, steps);
     bindInputs();
-    for (int i = 0; i < steps; ++i, ++step_) {
-        if (step_ >= nextWake_) wakePushed();
-        if (objects_ && objects_->startStep(step_)) wakeThreatened();
-        if (!moving()) continue;
-        if (step_ % monitor_.interval() == 0) watch();
-        {
-            const TimedPass timed(passTimer_, "elements");
-            forces_.fill(forceProgram_, awake_);
-        }
-        if (contact_) addContacts();
-        if (objects_) addObjects();
-        // Stresses are those before the nodes move; what they break shows in the links of the next
-        // step.
-        const bool fracture = breakable_ && step_ % world_.description().fractureInterval == 0;
-        if (fracture) updateBonds();
-        updateNodes(events, i);
-        if (objects_) objects_->move();
-        if (fracture) updateLinks();
+    for (int i = 0; i < steps; ++i) {
+        advanceOne(events, i);
+        ++step_;
+        if (incidents_ && incidents_->due(step_)) lookForIncidents();
     }
     // The GPU begins at once, not when the queue is full: the CPU may have work of its own.
     glFlush();
+}
+
+void GatherSolver::advanceOne(bool events, int stepInFrame) {
+    if (step_ >= nextWake_) wakePushed();
+    if (objects_ && objects_->startStep(step_)) wakeThreatened();
+    if (!moving()) return;
+    stirred_ = true;
+    if (step_ % monitor_.interval() == 0) watch();
+    {
+        const TimedPass timed(passTimer_, "elements");
+        forces_.fill(forceProgram_, awake_);
+    }
+    if (contact_) addContacts();
+    if (objects_) addObjects();
+    if (incidents_ && contact_) incidents_->addPushes();
+    // Stresses are those before the nodes move; what they break shows in the links of the next
+    // step.
+    const bool fracture = breakable_ && step_ % world_.description().fractureInterval == 0;
+    if (fracture) updateBonds();
+    updateNodes(events, stepInFrame);
+    if (objects_) objects_->move();
+    if (fracture) updateLinks();
+}
+
+void GatherSolver::lookForIncidents() {
+    if (!std::exchange(stirred_, false)) {
+        incidents_->finish();
+        return;
+    }
+    const TimedPass timed(passTimer_, "incidents");
+    incidents_->look(step_);
+    bonds_[currentBonds_].copy(0, incidents_->known());
 }
 
 void GatherSolver::addContacts() {

@@ -7,6 +7,7 @@
 #include "gpu/contact_pass.hpp"
 #include "gpu/event_buffer.hpp"
 #include "gpu/feedback.hpp"
+#include "gpu/incident_pass.hpp"
 #include "gpu/object_pass.hpp"
 #include "gpu/rest_monitor.hpp"
 #include "gpu/texel_target.hpp"
@@ -37,6 +38,7 @@ class GatherSolver : public GpuSolver, public BodyHost {
     void setState(const State& state) override;
     bool asleep(int body) const override { return bodies_[body] == BodyState::Asleep; }
     StateView view() override;
+    void setIncidents(IncidentRing* ring) override;
 
     std::int64_t droppedContacts() const override { return droppedContacts_; }
 
@@ -75,6 +77,8 @@ class GatherSolver : public GpuSolver, public BodyHost {
     void bodiesChanged();
     void addContacts();
     void addObjects();
+    void advanceOne(bool events, int stepInFrame);
+    void lookForIncidents();
     /// Whether anything changes in a step: bodies that are awake, objects that move.
     bool moving() const;
     void updateBonds();
@@ -106,6 +110,8 @@ class GatherSolver : public GpuSolver, public BodyHost {
     std::optional<ObjectPass> objects_;
     bool held_ = true;  ///< any body
     std::int64_t droppedContacts_ = 0;
+    std::optional<IncidentPass> incidents_;
+    bool stirred_ = false;  ///< something has moved since the last look for incidents
     RestMonitor monitor_;
     bool newNodeWatch_ = true, newBondWatch_ = true;  ///< no step, no update since the last look
     std::int64_t nextWake_ = 0;  ///< no event acts on a sleeping body before this step

@@ -100,6 +100,10 @@ gl::Program ObjectPass::pairProgram(const char* what, const char* geometry, cons
     return program;
 }
 
+gl::Program ObjectPass::impulseProgram(const TexelTarget& target) const {
+    return pairProgram("IMPULSE", "", "objects/impulse.frag", target.columns(), target.rows());
+}
+
 gl::Program ObjectPass::objectProgram(const char* fragment) const {
     gl::Program program({.vertex = "objects/all.vert",
                          .fragment = fragment,

@@ -42,6 +42,10 @@ class ObjectPass {
     void push(std::int64_t step);
     /// Adds the forces on cells to the bound target.
     void drawForces() const;
+    /// Instead of the forces how hard cells are pushed and by what, into a texel per sphere: the
+    /// program, and a point for each pair with it; how they blend is the caller's affair.
+    gl::Program impulseProgram(const TexelTarget& target) const;
+    void drawPairs(const gl::Program& program) const;
     /// Moves the objects to the end of the step.
     void move();
 
@@ -66,7 +70,6 @@ class ObjectPass {
     gl::Program objectProgram(const char* fragment) const;
     void bind() const;
     void search();
-    void drawPairs(const gl::Program& program) const;
     void drawObjects(const gl::Program& program) const;
     double speedOf(int object) const;
     bool present(int object) const { return known_[object].present; }

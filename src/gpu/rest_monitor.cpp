@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/incident.hpp"
 #include "core/sleep.hpp"
 #include "gpu/feedback.hpp"
 
@@ -37,7 +38,7 @@ int countChunks(const World& world) {
 
 RestMonitor::RestMonitor(const World& world, int columns)
     : world_(world),
-      interval_(std::max(1, static_cast<int>(std::lround(1 / (60 * world.step()))))),
+      interval_(stepsPerLook(world)),
       sleepSteps_(sleepSteps(world)),
       all_(1, "chunk ranges"),
       chunkBuffer_(gl::makeBuffer<GLuint>(chunksOf(world), GL_STATIC_DRAW, "chunks")),

@@ -151,6 +151,18 @@ void ScatterSolver::setState(const State& state) {
     bonds_.write(state, feedback_);
     if (contact_) contact_->forget();
     if (objects_) objects_->set(state);
+    if (!incidents_) return;
+    incidents_->finish();
+    incidents_->forget();
+    incidents_->known().copy(bonds_.bonds().buffer());
+}
+
+void ScatterSolver::setIncidents(IncidentRing* ring) {
+    incidents_.reset();
+    if (!ring) return;
+    incidents_.emplace(world_, ContactPass::Storage::Buffers, width_,
+                       contact_ ? &*contact_ : nullptr, objects_ ? &*objects_ : nullptr, *ring);
+    incidents_->known().copy(bonds_.bonds().buffer());
 }
 
 StateView ScatterSolver::view() {
@@ -164,6 +176,7 @@ StateView ScatterSolver::view() {
 
 void ScatterSolver::finish() {
     glFinish();
+    if (incidents_) incidents_->finish();
     if (contact_) droppedContacts_ = std::max(droppedContacts_, contact_->dropped());
 }
 
@@ -177,19 +190,31 @@ void ScatterSolver::advance(int steps) {
     gl::bindTexture(kCumulative, GL_TEXTURE_2D, cumulativeTexture_);
     glPointSize(1);
 
-    for (int i = 0; i < steps; ++i, ++step_) {
+    for (int i = 0; i < steps; ++i) {
         const bool fracture = breakable_ && step_ % world_.description().fractureInterval == 0;
         gl::bindTexture(kNodes, GL_TEXTURE_BUFFER, nodes_[currentNodes_].nodes.texture());
         updateElements(fracture);
         if (contact_) addContacts();
         if (objects_) addObjects();
+        if (incidents_ && contact_) incidents_->addPushes();
         updateConnectivity();
         updateNodes(i);
         if (objects_) objects_->move();
-        if (!fracture) continue;
-        const TimedPass timed(passTimer_, "bonds and links");
-        bonds_.update(feedback_);
+        if (fracture) {
+            const TimedPass timed(passTimer_, "bonds and links");
+            bonds_.update(feedback_);
+        }
+        ++step_;
+        if (incidents_ && incidents_->due(step_)) lookForIncidents();
     }
+}
+
+void ScatterSolver::lookForIncidents() {
+    const TimedPass timed(passTimer_, "incidents");
+    gl::bindTexture(kNodes, GL_TEXTURE_BUFFER, nodes_[currentNodes_].nodes.texture());
+    gl::bindTexture(kBonds, GL_TEXTURE_BUFFER, bonds_.bonds().texture());
+    incidents_->look(step_);
+    incidents_->known().copy(bonds_.bonds().buffer());
 }
 
 void ScatterSolver::updateElements(bool fracture) {
@@ -244,6 +269,7 @@ void ScatterSolver::addObjects() {
 void ScatterSolver::updateConnectivity() {
     const TimedPass timed(passTimer_, "connectivity");
     glBindFramebuffer(GL_FRAMEBUFFER, cumulativeTarget_.id());
+    glViewport(0, 0, width_, height_);
     connectivityProgram_.use();
     glBindVertexArray(noAttributes_.id());
     glDrawArrays(GL_POINTS, 0, world_.nodeCount());

@@ -6,6 +6,7 @@
 #include "gpu/contact_pass.hpp"
 #include "gpu/event_buffer.hpp"
 #include "gpu/feedback.hpp"
+#include "gpu/incident_pass.hpp"
 #include "gpu/object_pass.hpp"
 
 namespace sunder::gpu {
@@ -29,6 +30,7 @@ class ScatterSolver : public GpuSolver {
     State state() const override;
     void setState(const State& state) override;
     StateView view() override;
+    void setIncidents(IncidentRing* ring) override;
     /// In the searches that finish() came upon.
     std::int64_t droppedContacts() const override { return droppedContacts_; }
 
@@ -46,6 +48,7 @@ class ScatterSolver : public GpuSolver {
     void updateElements(bool fracture);
     void addContacts();
     void addObjects();
+    void lookForIncidents();
     void updateConnectivity();
     void updateNodes(int stepInFrame);
 
@@ -71,6 +74,7 @@ class ScatterSolver : public GpuSolver {
     std::optional<ContactPass> contact_;
     gl::Program contactProgram_;
     std::optional<ObjectPass> objects_;
+    std::optional<IncidentPass> incidents_;
     std::int64_t droppedContacts_ = 0;
 };
 

@@ -43,6 +43,7 @@ class TexelTarget {
     void copy(int layer, const gl::Buffer& buffer, std::size_t offset = 0) const;
     std::size_t layerBytes() const { return sizeof(vec4) * layerTexels(); }
     std::size_t layerTexels() const;
+    int columns() const { return columns_; }
     int rows() const { return rows_; }
 
   private:

@@ -15,6 +15,8 @@ class Checked : public Solver {
     explicit Checked(const World& world) : buffers_(world), solver_(world, buffers_) {}
     std::string_view name() const override { return solver_.name(); }
     void advance(int steps) override { solver_.advance(steps); }
+    void finish() override { solver_.finish(); }
+    void setIncidents(IncidentRing* ring) override { solver_.setIncidents(ring); }
     State state() const override {
         State state = solver_.state();
         testContext().check();

@@ -1,8 +1,11 @@
 // The `cpu` solver: the same result from any number of threads and any instruction set; memory.
 #include "cpu/cpu_solver.hpp"
 
+#include <algorithm>
+
 #include "catch.hpp"
 #include "core/diagnostics.hpp"
+#include "core/incident.hpp"
 #include "cpu/cpu_kernels.hpp"
 #include "support/worlds.hpp"
 
@@ -63,6 +66,39 @@ TEST_CASE("any number of threads gives the same bits") {
             }
             CHECK(stateHash(state) == expected);
             CHECK(state.damage == damage);
+        }
+    }
+}
+
+TEST_CASE("any number of threads finds the same incidents") {
+    WorldDescription description = manyBodies();
+    description.contact = true;
+    const World world(description);
+    std::vector<Incident> expected;
+    for (const int threads : {1, 2, 7}) {
+        INFO(threads << " threads");
+        IncidentRing ring(1 << 16);
+        CpuSolver solver(world, threads);
+        solver.setIncidents(&ring);
+        solver.advance(203);
+        const std::vector<Incident> incidents = ring.take();
+        CHECK(ring.dropped() == 0);
+        if (threads == 1) {
+            expected = incidents;
+            const auto breaks =
+                std::count_if(incidents.begin(), incidents.end(),
+                              [](const Incident& x) { return x.kind == Incident::Kind::Break; });
+            CHECK(breaks > 100);
+            CHECK(static_cast<std::ptrdiff_t>(incidents.size()) - breaks > 100);
+        }
+        REQUIRE(incidents.size() == expected.size());
+        for (std::size_t i = 0; i < incidents.size(); ++i) {
+            CHECK(incidents[i].kind == expected[i].kind);
+            CHECK(incidents[i].step == expected[i].step);
+            CHECK(incidents[i].place == expected[i].place);
+            CHECK(incidents[i].impulse == expected[i].impulse);
+            CHECK(incidents[i].cell == expected[i].cell);
+            CHECK(incidents[i].other == expected[i].other);
         }
     }
 }

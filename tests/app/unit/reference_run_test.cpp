@@ -106,6 +106,45 @@ TEST_CASE("App: a seed gives the same wall twice, another seed another wall") {
     CHECK(hashOf(place, "18446744073709551615") != once);
 }
 
+TEST_CASE("App: the report counts breaks and contacts, and has the strongest ten of them") {
+    const Workplace place;
+    std::string scene = scenes::kBreaking;
+    scene.replace(scene.find("strength = 1e6"), 14, "strength = 1e5");  // weaker than the blow
+    scene +=
+        "[contact]\nenabled = true\n[[object]]\nname = 'ball'\nshape = 'sphere'\nradius = 0.05\n"
+        "mass = 5\nposition = [0, 0.2, 0.2]\nvelocity = [0, 0, -20]\n";
+    place.write("wall.toml", scene);
+    const Result result = runReference(place);
+    const json report = place.readJson("wall.json"), &incidents = report.at("incidents");
+    CHECK(incidents.at("breaks") == report.at("bonds_broken"));
+    CHECK(incidents.at("contacts") > 0);
+    CHECK(incidents.at("dropped") == 0);
+    CHECK(incidents.at("capacity") > 1000);
+    CHECK(result.out.find("incidents: ") != std::string::npos);
+    const json& strongest = incidents.at("strongest");
+    REQUIRE(strongest.size() == 10);
+    double before = strongest[0].at("impulse");
+    bool byBall = false;
+    for (const json& incident : strongest) {
+        CHECK(incident.at("impulse") <= before);
+        CHECK(incident.at("impulse") > 0);
+        before = incident.at("impulse");
+        CHECK(incident.at("time") > 0);
+        CHECK(incident.at("place").size() == 3);
+        CHECK(incident.at("piece") >= 0);
+        CHECK(incident.at("piece") < report.at("pieces"));
+        CHECK(incident.at("materials")[0] == "soft");
+        const bool contact = incident.at("kind") == "contact";
+        CHECK((contact || incident.at("kind") == "break"));
+        if (!incident.at("object").is_null()) {
+            byBall = true;
+            CHECK(contact);
+            CHECK(incident.at("object") == "ball");
+        }
+    }
+    CHECK(byBall);
+}
+
 TEST_CASE("App: a stiffness that the step does not carry is told on stderr and in the report") {
     const Workplace place;
     place.write("wall.toml", scenes::kBreaking);

@@ -1,0 +1,58 @@
+#include "core/incident_watch.hpp"
+
+#include <algorithm>
+
+namespace sunder {
+
+IncidentWatch::IncidentWatch(const World& world, IncidentRing& ring)
+    : world_(world), ring_(ring), interval_(stepsPerLook(world)) {
+    if (world.description().contact) loads_.resize(static_cast<std::size_t>(world.cellCount()));
+}
+
+void IncidentWatch::push(int cell, double impulse, int other, int object) {
+    Load& load = loads_[cell];
+    load.now += impulse;
+    if (impulse <= load.hardest) return;
+    load.hardest = impulse;
+    load.other = other;
+    load.object = object;
+}
+
+void IncidentWatch::forget() {
+    broken_.clear();
+    std::fill(loads_.begin(), loads_.end(), Load{});
+}
+
+void IncidentWatch::look(std::int64_t step, const std::function<Vec3(int node)>& place) {
+    // Mean place of the corners that have all of these bits.
+    const auto centre = [&](int cell, int bits) {
+        Vec3 sum = Vec3::Zero();
+        int count = 0;
+        for (int corner = 0; corner < kCorners; ++corner) {
+            if ((corner & bits) != bits) continue;
+            sum += place(kCorners * cell + corner);
+            ++count;
+        }
+        return Vec3(sum / count);
+    };
+    std::vector<Incident> found;
+    std::sort(broken_.begin(), broken_.end());
+    for (const int bond : broken_) {
+        found.push_back(breakOf(world_, bond, step));
+        found.back().place = centre(bond / kBondsPerCell, 1 << bond % kBondsPerCell);
+    }
+    broken_.clear();
+    for (int cell = 0; cell < static_cast<int>(loads_.size()); ++cell) {
+        Load& load = loads_[cell];
+        const double impulse = blow(load.now, load.before, load.earlier);
+        if (impulse > 0 && impulse >= kBlowSpeed * world_.cellMass(cell))
+            found.push_back({Incident::Kind::Contact, step, centre(cell, 0), impulse, cell,
+                             load.other, load.object});
+        load = {0, load.now, load.before, 0, -1, -1};
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Incident& a, const Incident& b) { return a.cell < b.cell; });
+    for (const Incident& incident : found) ring_.push(incident);
+}
+
+}  // namespace sunder
