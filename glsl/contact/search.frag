@@ -17,7 +17,8 @@ layout(location = 0) out vec4 summary;
 layout(location = 1) out vec4 partners[5];
 
 const int kMostPartners = 20;
-const float kCreepSpeed = 0.3;  // cell edges/s, src/core/sleep.hpp
+const float kReach = 1.501;     // voxels; rounding on top
+const float kCreepSpeed = 0.5;  // cell edges/s, src/core/sleep.hpp
 
 int self;
 uvec4 record;
@@ -117,12 +118,11 @@ void main() {
     around = latticeNeighbours(record.x);
     joined = joinedNeighbours(linkMasksOf(cellOf(self)));
     ivec3 low = voxelOf(centre.xyz - reach);
-    vec3 from = centre.xyz - voxelSize * vec3(low);  // of the first of 4 × 4 × 4 voxels
+    vec3 from = centre.xyz * voxelsPerMetre - vec3(low);  // voxels, of the first of 4 × 4 × 4
     for (int i = 0; i < 64; ++i) {
         ivec3 step_ = ivec3(i >> 4, i >> 2 & 3, i & 3);
-        vec3 begin = voxelSize * vec3(step_);
-        vec3 beside = max(max(begin - from, from - begin - voxelSize), 0.0);
-        if (dot(beside, beside) < 1.001 * reach * reach) visit(low + step_);
+        vec3 beside = max(max(vec3(step_) - from, from - vec3(step_) - 1.0), 0.0);  // voxels, to the nearest point
+        if (dot(beside, beside) < kReach * kReach) visit(low + step_);
     }
     summary = vec4(listed, close, dropped, touched);
     for (int i = 0; i < 5; ++i) partners[i] = list[i];

@@ -54,7 +54,9 @@ RoundedBox linkBox(int link) {
     vec3 way = texelFetch(places, chained).xyz - hook;
     float stretch = max(length(way), 1e-6);
     vec3 along = way / stretch;
-    vec3 across = normalize(cross(along, abs(along.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0)));
+    // The x axis, turned as a chain that hung straight down has been: it never jumps while the chain swings.
+    const vec3 DOWN = vec3(0.0, -1.0, 0.0);
+    vec3 across = vec3(1.0, 0.0, 0.0) - along.x / max(1.0 + dot(along, DOWN), 1e-6) * (along + DOWN);
     vec3 third = cross(across, along);
     float thickness = 0.05 * (min(shape.x, min(shape.y, shape.z)) + shape.w);
     // Each reaches a little into its neighbours.

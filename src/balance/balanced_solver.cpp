@@ -1,12 +1,15 @@
 #include "balance/balanced_solver.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <numeric>
 
 namespace sunder {
 namespace {
 
+/// What moves as one. Bodies that may touch each other are advanced by one solver.
 std::vector<int> cellCounts(const World& world) {
+    if (world.description().contact) return {world.cellCount()};
     std::vector<int> counts;
     for (const Body& body : world.bodies()) counts.push_back(body.cellCount());
     return counts;
@@ -20,10 +23,6 @@ BalancedSolver::BalancedSolver(const World& world, const gpu::WorldBuffers& buff
       cpu_(world, threads),
       balancer_(cellCounts(world)),
       scratch_(world.initialState()) {
-    if (world.description().contact)
-        throw InputError(
-            "the solver auto cannot share out bodies that touch one another yet: use gather, "
-            "scatter, cpu or reference, or leave [contact] out");
     std::vector<int> all(world.bodies().size());
     std::iota(all.begin(), all.end(), 0);
     gather_.release(all, scratch_);
@@ -33,6 +32,8 @@ void BalancedSolver::advance(int steps) {
     std::vector<bool> awake;
     for (int body = 0; body < static_cast<int>(world_.bodies().size()); ++body)
         awake.push_back(!asleep(body));
+    if (world_.description().contact)
+        awake = {!world_.objects().empty() || std::count(awake.begin(), awake.end(), true) > 0};
     const bool measure = balancer_.frame(awake);
     moveBodies();
     if (measure) finish();
@@ -49,7 +50,7 @@ void BalancedSolver::advance(int steps) {
 void BalancedSolver::moveBodies() {
     std::vector<int> toGpu, toCpu;
     for (int body = 0; body < static_cast<int>(world_.bodies().size()); ++body)
-        if (balancer_.onGpu(body) != onGpu(body)) (onGpu(body) ? toCpu : toGpu).push_back(body);
+        if (wantedOnGpu(body) != onGpu(body)) (onGpu(body) ? toCpu : toGpu).push_back(body);
     if (!toCpu.empty()) {
         gather_.release(toCpu, scratch_);
         cpu_.adopt(toCpu, scratch_);
@@ -58,6 +59,10 @@ void BalancedSolver::moveBodies() {
         cpu_.release(toGpu, scratch_);
         gather_.adopt(toGpu, scratch_);
     }
+}
+
+bool BalancedSolver::wantedOnGpu(int body) const {
+    return balancer_.onGpu(world_.description().contact ? 0 : body);
 }
 
 int BalancedSolver::bodiesOnGpu() const {
@@ -71,6 +76,7 @@ State BalancedSolver::state() const {
     State state = gather_.state();
     for (int body = 0; body < static_cast<int>(world_.bodies().size()); ++body)
         if (!onGpu(body)) cpu_.store(body, state);
+    if (!onGpu(0)) cpu_.storeObjects(state);
     return state;
 }
 
@@ -89,6 +95,10 @@ gpu::StateView BalancedSolver::view() {
         if (onGpu(body)) continue;
         cpu_.store(body, scratch_);
         gather_.show(body, scratch_);
+    }
+    if (!onGpu(0)) {
+        cpu_.storeObjects(scratch_);
+        gather_.showObjects(scratch_);
     }
     return gather_.view();
 }

@@ -7,7 +7,8 @@ namespace sunder {
 
 /// `auto`: every body runs on `cpu` or on `gather`, both at the same time, shared out by measured
 /// cost (LoadBalancer); a body moves from one to the other between frames with its state intact.
-/// The GPU works while the CPU does; only frames that are measured wait for both. The result
+/// With contact all of them move together, for they may touch each other: the faster of the two has
+/// them. The GPU works while the CPU does; only frames that are measured wait for both. The result
 /// depends on who advanced what when, and so on the machine: the two differ in rounding.
 ///
 /// Needs a current GL context for as long as it lives.
@@ -36,6 +37,7 @@ class BalancedSolver : public gpu::GpuSolver {
 
   private:
     void moveBodies();
+    bool wantedOnGpu(int body) const;
 
     const World& world_;
     gpu::GatherSolver gather_;

@@ -6,7 +6,8 @@
 namespace sunder {
 
 /// A solver that can advance some bodies of its world and leave the others to another solver. At
-/// first it holds them all; Solver::state() says nothing about those it does not hold.
+/// first it holds them all; Solver::state() says nothing about those it does not hold. Objects go
+/// with any body that does; a solver without bodies leaves them alone.
 class BodyHost {
   public:
     virtual ~BodyHost() = default;

@@ -17,7 +17,7 @@ inline constexpr double kSleepDelay = 0.5;   ///< s
 /// others. Friction that grows with the speed of sliding holds nothing for good: a heap creeps, and
 /// now and then a piece topples for it, for half a minute; asleep, it stands. A sleeping body is
 /// woken, too, by a cell of another one that pushes it faster than this.
-inline constexpr double kCreepSpeed = 0.3;  ///< cell edges/s
+inline constexpr double kCreepSpeed = 0.5;  ///< cell edges/s
 
 /// m/s: a calm body has no node faster than this.
 double calmSpeed(const Body& body);

@@ -117,8 +117,8 @@ CpuSolver::~CpuSolver() = default;
 void CpuSolver::advance(int steps) {
     Runner& runner = *runner_;
     runner.inArena([&] {
-        if (!runner.contact) {
-            advanceTo(step_ + steps);
+        if (!runner.contact || (runner.whole.empty() && runner.split.empty())) {
+            advanceTo(step_ + steps, false);
             return;
         }
         for (const std::int64_t end = step_ + steps; step_ < end;) {
@@ -129,19 +129,18 @@ void CpuSolver::advance(int steps) {
             if (runner.contact->due() || step_ % kContactInterval == 0 ||
                 (runner.objects && runner.objects->searchDue()))
                 searchContacts(next);
-            advanceTo(next);
+            advanceTo(next, true);
         }
     });
 }
 
-/// With what the last search found.
-void CpuSolver::advanceTo(std::int64_t end) {
+void CpuSolver::advanceTo(std::int64_t end, bool contact) {
     const IncidentWatch* watch = runner_->watch.get();
     while (step_ < end) {
         const auto count =
             static_cast<int>((watch ? std::min(end, watch->next(step_)) : end) - step_);
         advanceAlone(count);
-        if (runner_->contact) advanceTouching(count);
+        if (contact) advanceTouching(count);
         step_ += count;
         if (watch && watch->due(step_)) lookForIncidents();
     }
@@ -327,7 +326,7 @@ State CpuSolver::state() const {
     state.step = step_;
     for (const auto& run : bodies_)
         if (run->held) run->store(state);
-    if (runner_->objects) state.objects = runner_->objects->states();
+    storeObjects(state);
     return state;
 }
 
@@ -353,6 +352,7 @@ void CpuSolver::adopt(const std::vector<int>& bodies, const State& state) {
         bodies_[body]->load(state);
         bodies_[body]->held = true;
     }
+    if (runner_->objects) runner_->objects->set(state.objects);
     shareOut();
 }
 
@@ -361,6 +361,7 @@ void CpuSolver::release(const std::vector<int>& bodies, State& state) {
         bodies_[body]->store(state);
         bodies_[body]->held = false;
     }
+    storeObjects(state);
     shareOut();
 }
 
@@ -370,6 +371,10 @@ bool CpuSolver::holds(int body) const {
 
 void CpuSolver::store(int body, State& state) const {
     bodies_[body]->store(state);
+}
+
+void CpuSolver::storeObjects(State& state) const {
+    if (runner_->objects) state.objects = runner_->objects->states();
 }
 
 int CpuSolver::threads() const {

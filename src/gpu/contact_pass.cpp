@@ -61,7 +61,8 @@ void setBits(const gl::Program& program, const char* name, int texels) {
 
 void setGrid(const gl::Program& program, const World& world) {
     setBits(program, "gridBits", gridTexels(world));
-    glUniform1f(program.uniform("voxelSize"), static_cast<float>(2 * largestRadius(world)));
+    glUniform1f(program.uniform("voxelsPerMetre"),
+                static_cast<float>(1 / (2 * largestRadius(world))));
 }
 
 /// Regions are numbered along x, y, z through the box that the bodies start in, with some room

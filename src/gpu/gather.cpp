@@ -101,7 +101,7 @@ void GatherSolver::setState(const State& state) {
         incidents_->forget();
     }
     write({0, world_.cellCount()}, state);
-    if (objects_) objects_->set(state);
+    showObjects(state);
     for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
         if (holds(body)) wake(body);
     bodiesChanged();
@@ -112,6 +112,7 @@ void GatherSolver::setState(const State& state) {
 void GatherSolver::adopt(const std::vector<int>& bodies, const State& state) {
     const std::vector<TexelRange> cells = rangesOf(world_, bodies);
     for (const TexelRange& range : cells) write(range, state);
+    showObjects(state);
     for (const int body : bodies) wake(body);
     bodiesChanged();
     TexelRanges adopted(cells.size(), "adopted cells");
@@ -122,12 +123,17 @@ void GatherSolver::adopt(const std::vector<int>& bodies, const State& state) {
 
 void GatherSolver::release(const std::vector<int>& bodies, State& state) {
     for (const TexelRange& range : rangesOf(world_, bodies)) read(range, state);
+    if (objects_) objects_->read(state);
     for (const int body : bodies) bodies_[body] = BodyState::Elsewhere;
     bodiesChanged();
 }
 
 void GatherSolver::show(int body, const State& state) {
     write(cellsOf(world_, body), state);
+}
+
+void GatherSolver::showObjects(const State& state) {
+    if (objects_) objects_->set(state);
 }
 
 void GatherSolver::write(TexelRange cells, const State& state) {
@@ -275,7 +281,7 @@ void GatherSolver::addObjects() {
 }
 
 bool GatherSolver::moving() const {
-    return awake_.rectangles() > 0 || (objects_ && objects_->stirring());
+    return awake_.rectangles() > 0 || (objects_ && held_ && objects_->stirring());
 }
 
 /// Stresses live for one pass: in the node textures that this step is about to fill.
@@ -388,6 +394,7 @@ void GatherSolver::bodiesChanged() {
     awake_.set(rangesOf(world_, awake), columns_);
     if (contact_) contact_->setCells(rangesOf(world_, awake), rangesOf(world_, held));
     if (objects_) objects_->setCells(rangesOf(world_, held));
+    held_ = !held.empty();
 }
 
 }  // namespace sunder::gpu

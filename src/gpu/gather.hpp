@@ -47,6 +47,7 @@ class GatherSolver : public GpuSolver, public BodyHost {
     bool holds(int body) const override { return bodies_[body] != BodyState::Elsewhere; }
     /// Where a body that another solver holds is to be drawn.
     void show(int body, const State& state);
+    void showObjects(const State& state);
 
   private:
     enum class BodyState { Awake, Asleep, Elsewhere };
@@ -107,6 +108,7 @@ class GatherSolver : public GpuSolver, public BodyHost {
     TexelRanges awake_;
     std::optional<ContactPass> contact_;
     std::optional<ObjectPass> objects_;
+    bool held_ = true;  ///< any body
     std::int64_t droppedContacts_ = 0;
     std::optional<IncidentPass> incidents_;
     bool stirred_ = false;  ///< something has moved since the last look for incidents

@@ -11,7 +11,7 @@ namespace {
 // Quads along an octant's edge. 7.5 degrees each: the outline of a ball of 100 pixels is exact to
 // a quarter of one.
 constexpr int kSegments = 6;
-constexpr int kLineSegments = 3;  // fewer lines than quads would give, or they hide one another
+constexpr int kLineSegments = 2;  // fewer: lines would hide one another
 constexpr int kLinkSegments = 2;
 constexpr double kMostLinks = 400;
 

@@ -49,8 +49,6 @@ class DrawingState {
     DrawingState& operator=(const DrawingState&) = delete;
 };
 
-}  // namespace
-
 /// Passes of one kind: one per way of drawing.
 template <typename Pass>
 struct Passes {
@@ -62,6 +60,8 @@ struct Passes {
           shaded(CellPass::Output::Shaded, arguments...),
           lines(CellPass::Output::Lines, arguments...) {}
 };
+
+}  // namespace
 
 struct Renderer::Impl {
     SceneBounds bounds;

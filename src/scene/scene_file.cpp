@@ -44,9 +44,8 @@ void readRoom(const TableReader& root, WorldDescription& world) {
     if (table->read("ceiling", ceiling, {0, kMaxLength, "m", true})) room.ceiling = ceiling;
 }
 
-/// Objects are nothing without contact: they turn it on.
 void readContact(const TableReader& root, WorldDescription& world) {
-    world.contact = !world.objects.empty();
+    world.contact = true;
     const auto contact = root.table("contact", {"enabled"});
     if (!contact) return;
     contact->read("enabled", world.contact);

@@ -1,114 +1,15 @@
 // Pictures of worlds whose pixels can be foretold.
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <functional>
-#include <string>
 #include <vector>
 
 #include "../../glsl/draw/sun.h"
 #include "catch.hpp"
 #include "core/types.hpp"
+#include "gpu/pictures.hpp"
 #include "gpu/test_context.hpp"
-#include "render/camera.hpp"
-#include "render/renderer.hpp"
 
 using namespace sunder;
-
-namespace {
-
-constexpr int kWidth = 320, kHeight = 200;
-
-/// A wall of 8 x 4 x 1 cells of 0.25 m, its front in the plane z = 0.05, seen from straight in
-/// front.
-WorldDescription wallDescription() {
-    WorldDescription description;
-    Material material;
-    material.colour = {0.4, 0.2, 0.1};
-    description.materials = {material};
-    BodyDescription wall;
-    wall.name = "wall";
-    wall.size = {2, 1, 0.1};
-    wall.cells = {8, 4, 1};
-    description.bodies = {wall};
-    description.ground = false;
-    return description;
-}
-
-CameraDescription frontCamera() {
-    CameraDescription camera;
-    camera.position = {0, 0.5, 3};
-    camera.target = {0, 0.5, 0};
-    return camera;
-}
-
-State shifted(const World& world, const Vec3& by) {
-    State state = world.initialState();
-    std::fill(state.displacement.begin(), state.displacement.end(), by);
-    return state;
-}
-
-/// Out of every picture: what is left is the background.
-State nowhere(const World& world) {
-    return shifted(world, {0, -500, 0});
-}
-
-/// Draws and checks that GL found nothing wrong.
-Image picture(const World& world, const State& state, const CameraDescription& camera,
-              DrawStyle style = DrawStyle::Solid) {
-    gl::Context& context = testContext();
-    const gpu::WorldBuffers buffers(world);
-    gpu::StateUpload upload(world);
-    Renderer renderer(world, buffers);
-    RenderSettings settings;
-    settings.width = kWidth;
-    settings.height = kHeight;
-    settings.style = style;
-    Image image = renderer.draw(upload.upload(state), camera, settings);
-    const std::vector<std::string> errors = context.takeErrors();
-    CAPTURE(errors);
-    CHECK(errors.empty());
-    REQUIRE(image.width == kWidth);
-    REQUIRE(image.height == kHeight);
-    return image;
-}
-
-/// Pixel coordinates, from the top left, of a point.
-glm::vec2 project(const World& world, const CameraDescription& description, const glm::vec3& p) {
-    const Camera camera =
-        makeCamera(description, static_cast<float>(kWidth) / kHeight, sceneBounds(world));
-    const glm::vec4 clip = camera.viewProjection() * glm::vec4(p, 1);
-    return {(0.5f + 0.5f * clip.x / clip.w) * kWidth, (0.5f - 0.5f * clip.y / clip.w) * kHeight};
-}
-
-int brightness(const Image& image, int x, int y) {
-    const std::uint8_t* p = &image.pixels[3 * (std::size_t{static_cast<unsigned>(y)} * kWidth + x)];
-    return p[0] + p[1] + p[2];
-}
-
-int difference(const Image& a, const Image& b, int x, int y) {
-    int most = 0;
-    for (int channel = 0; channel < 3; ++channel) {
-        const std::size_t i = 3 * (std::size_t{static_cast<unsigned>(y)} * kWidth + x) + channel;
-        most = std::max(most, std::abs(int{a.pixels[i]} - int{b.pixels[i]}));
-    }
-    return most;
-}
-
-/// Number of pixels for which `counts` holds and the pictures differ by more than `threshold` of
-/// 255.
-int differing(
-    const Image& a, const Image& b, int threshold,
-    const std::function<bool(float x, float y)>& counts = [](float, float) { return true; }) {
-    int number = 0;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x)
-            number += difference(a, b, x, y) > threshold &&
-                      counts(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-    return number;
-}
-
-}  // namespace
 
 TEST_CASE("A wall covers the pixels that its corners project to", "[render]") {
     const World world(wallDescription());

@@ -40,6 +40,6 @@ std::unique_ptr<Solver> makeChecked(const World& world) {
 
 std::vector<SolverUnderTest> solversUnderTest() {
     return {{"gather", makeChecked<gpu::GatherSolver>, 6e-8, true, true},
-            {"auto", makeChecked<BalancedSolver>, 6e-8, true},
+            {"auto", makeChecked<BalancedSolver>, 6e-8, true, true},
             {"scatter", makeChecked<gpu::ScatterSolver>, 6e-8, false, true}};
 }

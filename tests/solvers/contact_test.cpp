@@ -405,6 +405,61 @@ TEST_CASE("every solver pushes as the reference does") {
     }
 }
 
+TEST_CASE("whole bodies touch each other and themselves as the reference says") {
+    // A hoop whose ends overlap, and two walls, one of long cells, that touch at a corner only.
+    WorldDescription d = block({40, 1, 3}, cellMaterial(0.2, 0.6));
+    d.bodies.push_back(d.bodies[0]);
+    d.bodies[1].size = {1.2, 1.2, 0.1};
+    d.bodies[1].cells = {12, 12, 1};
+    d.bodies[1].position = {5, 0, 0};
+    d.bodies.push_back(d.bodies[1]);
+    d.bodies[2].cells = {12, 4, 1};
+    d.bodies[2].position = {6, 1.1, 0.08};
+    d.contact = true;
+    const World world(d);
+    State start = world.initialState();
+    for (int node = 0; node < world.nodeCount(); ++node) {
+        start.velocity[node] = world.bodyOf(node / kCorners) == 1 ? Vec3(1, 1, 1) : Vec3(0, 0, 0);
+        if (world.bodyOf(node / kCorners) != 0) continue;
+        const Vec3 rest = world.restPosition(node);
+        constexpr double length = 3.95;  // m, once around
+        const double radius = length / (2 * std::numbers::pi) + rest[1];
+        const double angle = 2 * std::numbers::pi * rest[0] / length;
+        const Vec3 bent(radius * std::sin(angle), radius * std::cos(angle), rest[2]);
+        start.displacement[node] = (bent - rest).cast<float>().cast<double>();
+    }
+    ReferenceSolver expected(world);
+    expected.setState(start);
+    expected.advance(1);
+    d.contact = false;
+    const World untouched(d);
+    ReferenceSolver without(untouched);
+    without.setState(start);
+    without.advance(1);
+    const State after = expected.state(), apart = without.state();
+    int pushed[3] = {0, 0, 0};
+    for (int node = 0; node < world.nodeCount(); ++node)
+        if ((after.velocity[node] - apart.velocity[node]).norm() > 1e-3)
+            ++pushed[world.bodyOf(node / kCorners)];
+    for (int body = 0; body < 3; ++body) {
+        CAPTURE(body, pushed[body]);
+        CHECK(pushed[body] > 0);
+        CHECK(pushed[body] < world.bodies()[body].cellCount());  // of 8 nodes per cell
+    }
+    for (const SolverUnderTest& under : touching()) {
+        INFO(under.name);
+        const auto solver = under.make(world);
+        solver->setState(start);
+        solver->advance(1);
+        const State state = solver->state();
+        double worst = 0;
+        for (int node = 0; node < world.nodeCount(); ++node)
+            worst = std::max(worst, (state.velocity[node] - after.velocity[node]).norm());
+        CAPTURE(worst);
+        CHECK(worst < 20 * 6 * 6e-8 / world.step());  // as above, at up to 6 m
+    }
+}
+
 TEST_CASE("long cells pile up and come to rest as well") {
     WorldDescription d = looseWall();
     d.bodies[0].cells = {8, 4, 2};

@@ -354,6 +354,7 @@ TEST_CASE("objects repeat themselves to the bit") {
                  shaped(ObjectShape::Box, {0.2, 0.1, 0.1}, 12, {0.1, 0.9, 0}, {0, -6, 1})};
     const World world(d);
     for (const SolverUnderTest& under : throwing()) {
+        if (under.name == "auto") continue;  // who advances what depends on the clock
         INFO(under.name);
         const auto first = under.make(world), second = under.make(world);
         first->advance(600);

@@ -23,10 +23,14 @@ TEST_CASE("All presets can be read and laid out", "[scene]") {
         const World world(scene.world);
         CHECK(world.presentCells() == world.cellCount());
         CHECK(world.events().size() == scene.world.events.size());
+        // Contact between spheres that ride on cells wants them about cubic.
+        if (scene.world.contact)
+            for (const Body& body : world.bodies())
+                CHECK(body.cellSize.maxCoeff() < 1.5 * body.cellSize.minCoeff());
     }
-    CHECK(names == std::vector<std::string>{"cantilever", "concrete", "peer-50x400",
-                                            "peer-50x400-break", "rubber-thesis", "stress", "wood",
-                                            "wood-thesis"});
+    CHECK(names == std::vector<std::string>{"cannon", "cantilever", "concrete", "heap",
+                                            "peer-50x400", "peer-50x400-break", "rubber-thesis",
+                                            "stress", "wood", "wood-thesis", "wrecking-ball"});
     names.clear();
     for (const PresetInfo& preset : materialPresets()) {
         INFO(preset.name);
@@ -38,7 +42,7 @@ TEST_CASE("All presets can be read and laid out", "[scene]") {
                                             "rubber-thesis", "wood", "wood-thesis"});
 }
 
-TEST_CASE("A preset scene's camera sees all of its bodies", "[scene]") {
+TEST_CASE("A preset scene's camera sees all of its bodies and objects", "[scene]") {
     for (const PresetInfo& preset : scenePresets()) {
         INFO(preset.name);
         const Scene scene = loadScene(preset.name);
@@ -47,23 +51,59 @@ TEST_CASE("A preset scene's camera sees all of its bodies", "[scene]") {
         const Vec3 up = right.cross(forward);
         const double tangent = std::tan(scene.camera.fieldOfView * 3.141592653589793 / 360);
         double reach = 0;
+        const auto look = [&](const Vec3& p) {
+            const Vec3 d = p - scene.camera.position;
+            const double depth = d.dot(forward);
+            REQUIRE(depth > 0.1);
+            reach = std::max({reach, std::abs(d.dot(right)) / depth / tangent / (16.0 / 9),
+                              std::abs(d.dot(up)) / depth / tangent});
+        };
         for (const BodyDescription& body : scene.world.bodies)
             for (int corner = 0; corner < kCorners; ++corner) {
                 const Vec3 half = body.size / 2;
-                const Vec3 p = body.position + Vec3(corner & 1 ? half[0] : -half[0],
-                                                    corner & 2 ? body.size[1] : 0,
-                                                    corner & 4 ? half[2] : -half[2]);
-                const Vec3 d = p - scene.camera.position;
-                const double depth = d.dot(forward);
-                REQUIRE(depth > 0.1);
-                reach = std::max({reach, std::abs(d.dot(right)) / depth / tangent / (16.0 / 9),
-                                  std::abs(d.dot(up)) / depth / tangent});
+                look(body.position + Vec3(corner & 1 ? half[0] : -half[0],
+                                          corner & 2 ? body.size[1] : 0,
+                                          corner & 4 ? half[2] : -half[2]));
             }
+        for (const ObjectDescription& object : scene.world.objects) {
+            for (const double side : {-1, 1})
+                if (object.position) look(*object.position + side * object.halfSize[0] * up);
+            if (object.hungFrom) look(*object.hungFrom);
+        }
         CHECK(reach < 1);    // nothing is cut off at 16:9
         CHECK(reach > 0.6);  // and it fills most of the picture
         CHECK(scene.camera.position.y() > 0);
         CHECK(scene.camera.position.z() > 0);
     }
+}
+
+TEST_CASE("Every ball of the cannon is thrown once, at 20 to 40 m/s", "[scene]") {
+    const Scene scene = loadScene("cannon");
+    CHECK(scene.world.bodies.size() == 50);
+    REQUIRE(scene.world.objects.size() == 20);
+    REQUIRE(scene.world.throws.size() == 20);
+    for (int i = 0; i < 20; ++i) {
+        const ThrowDescription& thrown = scene.world.throws[i];
+        CHECK(thrown.object == i);
+        CHECK_FALSE(scene.world.objects[i].position);
+        CHECK(thrown.velocity.norm() >= 20);
+        CHECK(thrown.velocity.norm() <= 41);
+        CHECK(60 * thrown.time < scene.frames);
+    }
+}
+
+TEST_CASE("The wrecking ball is of iron and just touches the wall where it hangs", "[scene]") {
+    const WorldDescription world = loadScene("wrecking-ball").world;
+    REQUIRE(world.objects.size() == 1);
+    const ObjectDescription& ball = world.objects[0];
+    const double radius = ball.halfSize[0];
+    CHECK(ball.mass ==
+          Approx(7870 * 4.0 / 3 * 3.141592653589793 * std::pow(radius, 3)).epsilon(.1));
+    const double front = world.bodies[0].size[2] / 2;
+    CHECK(ball.hungFrom->z() - radius == Approx(front).margin(0.05));
+    const double lowest = ball.hungFrom->y() - (*ball.position - *ball.hungFrom).norm();
+    CHECK(lowest - radius > 0);
+    CHECK(lowest + radius < world.bodies[0].size[1]);
 }
 
 TEST_CASE("The peer scenes take the fewest substeps that carry their stiffness", "[scene]") {

@@ -372,8 +372,8 @@ TEST_CASE("A mistake in a scene becomes one sentence", "[scene]") {
         {replaced(kEvent, "body = 'wall'", "body = 'wal'"),
          {"walls.toml:9: event 1: there is no body 'wal'; bodies: wall; did you mean 'wall'?"}},
         {replaced(kEvent, "'impulse'", "'push'"),
-         {"walls.toml:8: event 1: kind must be one of impulse, force, velocity, not the text "
-          "'push'"}},
+         {"walls.toml:8: event 1: kind must be one of impulse, force, velocity, throw, not the "
+          "text 'push'"}},
         {replaced(kEvent, "'impulse'", "'force'"),
          {"walls.toml:6: event 1: duration is missing; give how long the force acts, in s"}},
         {replaced(kEvent, "radius = 0.3", "radius = 0"),
