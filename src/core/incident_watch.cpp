@@ -9,11 +9,11 @@ IncidentWatch::IncidentWatch(const World& world, IncidentRing& ring)
     if (world.description().contact) loads_.resize(static_cast<std::size_t>(world.cellCount()));
 }
 
-void IncidentWatch::push(int cell, double impulse, int other, int object) {
+void IncidentWatch::push(int cell, double impulse, double hardest, int other, int object) {
     Load& load = loads_[cell];
     load.now += impulse;
-    if (impulse <= load.hardest) return;
-    load.hardest = impulse;
+    if (hardest <= load.hardest) return;
+    load.hardest = hardest;
     load.other = other;
     load.object = object;
 }

@@ -12,9 +12,9 @@ class IncidentWatch {
   public:
     IncidentWatch(const World& world, IncidentRing& ring);
 
-    /// In a step, a cell gets an impulse (N·s) from a cell or an object; the other one is −1. May
-    /// be called for different cells at the same time.
-    void push(int cell, double impulse, int other, int object);
+    /// In a step, a cell gets an impulse (N·s), the `hardest` part of it from a cell or an object;
+    /// the other one is −1. May be called for different cells at the same time.
+    void push(int cell, double impulse, double hardest, int other, int object);
     void broke(int bond) { broken_.push_back(bond); }
     /// The state was set: what happened before does not count.
     void forget();

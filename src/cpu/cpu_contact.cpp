@@ -235,6 +235,8 @@ void Contact::push(Range cells) {
             const int sphere = body.first + s * body.stride + active_[i].cell;
             std::array<float, 3> sum{0, 0, 0};
             bool pushed = false;
+            float total = 0, hardest = 0;  // N
+            int by = -1;
             for (int entry = begin_[sphere]; entry < begin_[sphere + 1]; ++entry) {
                 const int other = partner_[entry] / 2;
                 if (apart(sphere, other)) continue;
@@ -243,11 +245,16 @@ void Contact::push(Range cells) {
                     pairForce(first ? sphere : other, first ? other : sphere, partner_[entry] & 1);
                 for (int axis = 0; axis < 3; ++axis) sum[axis] += first ? f[axis] : -f[axis];
                 pushed = true;
-                if (watch_)
-                    watch_->push(worldCell(sphere), std::sqrt(distance2(f)) * step_,
-                                 worldCell(other), -1);
+                if (!watch_) continue;
+                const float size = std::sqrt(distance2(f));
+                total += size;
+                if (size <= hardest) continue;
+                hardest = size;
+                by = other;
             }
             if (!pushed) continue;
+            if (hardest > 0)
+                watch_->push(worldCell(sphere), total * step_, hardest * step_, worldCell(by), -1);
             for (int corner = 0; corner < kCorners; ++corner)
                 for (int axis = 0; axis < 3; ++axis)
                     force[(3 * corner + axis) * body.arrays->stride] +=

@@ -118,7 +118,7 @@ void CpuSolver::advance(int steps) {
     Runner& runner = *runner_;
     runner.inArena([&] {
         if (!runner.contact || (runner.whole.empty() && runner.split.empty())) {
-            advanceTo(step_ + steps);
+            advanceTo(step_ + steps, false);
             return;
         }
         for (const std::int64_t end = step_ + steps; step_ < end;) {
@@ -129,19 +129,18 @@ void CpuSolver::advance(int steps) {
             if (runner.contact->due() || step_ % kContactInterval == 0 ||
                 (runner.objects && runner.objects->searchDue()))
                 searchContacts(next);
-            advanceTo(next);
+            advanceTo(next, true);
         }
     });
 }
 
-/// With what the last search found.
-void CpuSolver::advanceTo(std::int64_t end) {
+void CpuSolver::advanceTo(std::int64_t end, bool contact) {
     const IncidentWatch* watch = runner_->watch.get();
     while (step_ < end) {
         const auto count =
             static_cast<int>((watch ? std::min(end, watch->next(step_)) : end) - step_);
         advanceAlone(count);
-        if (runner_->contact) advanceTouching(count);
+        if (contact) advanceTouching(count);
         step_ += count;
         if (watch && watch->due(step_)) lookForIncidents();
     }

@@ -39,7 +39,8 @@ class CpuSolver : public Solver, public BodyHost {
     struct Runner;
     struct BodyRun;
     void shareOut();
-    void advanceTo(std::int64_t end);
+    /// contact: with what the last search found.
+    void advanceTo(std::int64_t end, bool contact);
     /// Advances bodies that touch nothing, each by itself.
     void advanceAlone(int steps);
     /// Advances bodies in contact, step by step: each island by one thread, or a large one by all.

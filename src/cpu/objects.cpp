@@ -218,7 +218,7 @@ void Objects::apply(const Active& active, Cells& cells) {
     if (active.other >= 0) give(active.other, impulse);
     if (active.cell < 0) return;
     cells.push(active.cell, active.weights, impulse / world_.step());
-    if (watch_) watch_->push(active.cell, impulse.norm(), -1, active.object);
+    if (watch_) watch_->push(active.cell, impulse.norm(), impulse.norm(), -1, active.object);
 }
 
 void Objects::move() {

@@ -131,8 +131,8 @@ void ReferenceContact::addForces(const State& state, std::vector<Vec3>& force,
         addToCorners(pair.cellB, pair.sphereB, -onA, force);
         if (!watch) continue;
         const double impulse = onA.norm() * world_.step();
-        watch->push(pair.cellA, impulse, pair.cellB, -1);
-        watch->push(pair.cellB, impulse, pair.cellA, -1);
+        watch->push(pair.cellA, impulse, impulse, pair.cellB, -1);
+        watch->push(pair.cellB, impulse, impulse, pair.cellA, -1);
     }
 }
 

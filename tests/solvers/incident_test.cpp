@@ -76,8 +76,9 @@ Vec3 momentumOf(const World& world, const State& state, int cell) {
 }
 
 /// A loose block that lies on the ground and is hit, so that everything touches and breaks.
-WorldDescription hitHeap() {
+WorldDescription hitHeap(double length = 0.1) {
     WorldDescription d = breakable({5, 5, 2}, FractureMode::Bond);
+    d.bodies[0].size[0] = 5 * length;
     d.gravity = {0, -9.81, 0};
     d.ground = d.contact = true;
     return d;
@@ -228,7 +229,9 @@ TEST_CASE("a cell that an object hits is a contact with the object") {
 }
 
 TEST_CASE("every solver's incidents are the reference's") {
-    const World world(hitHeap());
+    const double length = GENERATE(0.1, 0.3);  // m, of cells along x: one sphere each, three
+    CAPTURE(length);
+    const World world(hitHeap(length));
     ReferenceSolver start(world);
     State state = world.initialState();
     for (int node = 0; node < world.nodeCount(); ++node)
@@ -270,6 +273,8 @@ TEST_CASE("every solver's incidents are the reference's") {
                 REQUIRE(same != actual.end());
                 CHECK(same->impulse == Approx(contact.impulse).epsilon(0.01));
                 CHECK((same->place - contact.place).norm() < 1e-5);
+                // A GPU takes pushes within half an octave for equals.
+                CHECK(same->other >= 0);
             }
         }
     }
@@ -305,6 +310,7 @@ TEST_CASE("watching for incidents changes nothing, and what a state was set to i
     const World world(hitHeap());
     const State state = pulled(world, 8);
     for (const SolverUnderTest& under : touching()) {
+        if (under.name == "auto") continue;  // who advances what depends on the clock
         INFO(under.name);
         std::uint64_t hashes[2];
         for (const bool watch : {false, true}) {
