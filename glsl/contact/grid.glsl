@@ -3,13 +3,22 @@
 // pairs of opposite eighths of the voxel. Layer 2: the largest, and kNumbers less the smallest, in the second and third other order.
 //
 // A voxel is as wide as the largest sphere, so that more than two in it are rare; of three it loses one in fifty times, and counts it.
+// Where voxels begin changes from search to search, so that none is lost for long.
 #include "physics/lattice.glsl"
 
 uniform ivec2 gridBits;             // columns and rows are these powers of two
 uniform float voxelsPerMetre;       // a factor: quotients may differ from stage to stage
+uniform vec3 gridShift;             // voxels
 const float kNumbers = 16777216.0;  // 2^24
 
-ivec3 voxelOf(vec3 position) { return ivec3(floor(clamp(position * voxelsPerMetre, -1.0e6, 1.0e6))); }
+// In voxels; the same in every shader stage.
+vec3 inGrid(vec3 position) {
+    precise vec3 scaled = clamp(position * voxelsPerMetre, -1.0e6, 1.0e6);
+    precise vec3 shifted = scaled + gridShift;
+    return shifted;
+}
+
+ivec3 voxelOf(vec3 position) { return ivec3(floor(inGrid(position))); }
 
 uint voxelHash(ivec3 voxel) {
     uint hash = uint(voxel.x) * 73856093u ^ uint(voxel.y) * 19349663u ^ uint(voxel.z) * 83492791u;
@@ -24,7 +33,7 @@ ivec2 voxelTexel(uint hash) {
 
 // Which of the four pairs of eighths of its voxel a position lies in; another one for each of two voxels that share a texel.
 int eighthsOf(vec3 position, uint hash) {
-    ivec3 high = ivec3(greaterThanEqual(fract(position * voxelsPerMetre), vec3(0.5)));
+    ivec3 high = ivec3(greaterThanEqual(fract(inGrid(position)), vec3(0.5)));
     return (high.x ^ high.z | (high.y ^ high.z) << 1) ^ int(hash >> 30u);
 }
 

@@ -118,7 +118,7 @@ void main() {
     around = latticeNeighbours(record.x);
     joined = joinedNeighbours(linkMasksOf(cellOf(self)));
     ivec3 low = voxelOf(centre.xyz - reach);
-    vec3 from = centre.xyz * voxelsPerMetre - vec3(low);  // voxels, of the first of 4 × 4 × 4
+    vec3 from = inGrid(centre.xyz) - vec3(low);  // voxels, of the first of 4 × 4 × 4
     for (int i = 0; i < 64; ++i) {
         ivec3 step_ = ivec3(i >> 4, i >> 2 & 3, i & 3);
         vec3 beside = max(max(vec3(step_) - from, from - vec3(step_) - 1.0), 0.0);  // voxels, to the nearest point

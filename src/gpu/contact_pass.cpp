@@ -175,7 +175,7 @@ void ContactPass::update(std::int64_t step, PassTimer* timer) {
     gl::bindTexture(kPartners, GL_TEXTURE_2D_ARRAY, partners_.texture());
     gl::bindTexture(kSummaries, GL_TEXTURE_2D_ARRAY, summaries());
     if (due_ || step % kContactInterval == 0) {
-        search(timer);
+        search(step, timer);
         due_ = false;
     } else {
         const TimedPass timed(timer, "contact followed");
@@ -184,7 +184,7 @@ void ContactPass::update(std::int64_t step, PassTimer* timer) {
     }
 }
 
-void ContactPass::search(PassTimer* timer) {
+void ContactPass::search(std::int64_t step, PassTimer* timer) {
     {
         const TimedPass timed(timer, "contact spheres");
         spheres_.fill(sphereProgram_, due_ ? heldSpheres_ : awakeSpheres_);
@@ -200,12 +200,26 @@ void ContactPass::search(PassTimer* timer) {
     {
         const TimedPass timed(timer, "contact grid");
         const WhereAny where(anyExposed_);
+        shiftGrid(step);
         fillGrid();
     }
     const TimedPass timed(timer, "contact search");
     gl::bindTexture(kGrid, GL_TEXTURE_2D_ARRAY, grid_.texture());
     partners_.fill(searchProgram_, awakeSpheres_);
     if (summaries_) summaries_->fill(summaryProgram_, awakeCells_);
+}
+
+/// Voxels begin somewhere else in every search, evenly spread.
+void ContactPass::shiftGrid(std::int64_t step) {
+    const auto turn = [&](double share) {
+        return static_cast<float>(std::fmod(static_cast<double>(step) * share, 1.0));
+    };
+    // Roberts, "The unreasonable effectiveness of quasirandom sequences": powers of 1/1.2207.
+    for (const gl::Program* program : {&gridProgram_, &searchProgram_}) {
+        program->use();
+        glUniform3f(program->uniform("gridShift"), turn(0.8191725134), turn(0.6710436067),
+                    turn(0.5497004779));
+    }
 }
 
 /// A point for each sphere of a held cell.

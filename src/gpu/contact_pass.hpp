@@ -57,7 +57,8 @@ class ContactPass {
     std::int64_t dropped() const;
 
   private:
-    void search(PassTimer* timer);
+    void search(std::int64_t step, PassTimer* timer);
+    void shiftGrid(std::int64_t step);
     void fillRegions();
     void findExposed();
     void fillGrid();

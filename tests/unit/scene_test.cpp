@@ -472,7 +472,7 @@ TEST_CASE("Boundary strength follows strength until it has a value of its own", 
     // Concrete's chunks keep their weak boundaries.
     const Material base = parseMaterial("base = 'concrete'\nstrength = 20e6", "m.toml");
     CHECK(base.strength == Vec3(20e6, 20e6, 20e6));
-    CHECK(base.boundaryStrength == Vec3(4.55e6, 4.55e6, 4.55e6));
+    CHECK(base.boundaryStrength == Vec3(5.6e6, 5.6e6, 5.6e6));
 }
 
 TEST_CASE("Materials build on one another", "[scene]") {
