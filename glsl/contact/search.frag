@@ -14,9 +14,9 @@ uniform float searchInterval;    // s, until the next one
 // that body, which it hits so fast that it would wake it.
 layout(location = 0) out vec4 summary;
 // Spheres' numbers, which count from 1; negative: of a cell next to this one on the lattice.
-layout(location = 1) out vec4 partners[5];
+layout(location = 1) out vec4 partners[7];
 
-const int kMostPartners = 20;
+const int kMostPartners = 28;
 const float kReach = 1.501;     // voxels; rounding on top
 const float kCreepSpeed = 0.5;  // cell edges/s, src/core/sleep.hpp
 
@@ -26,7 +26,7 @@ vec4 centre;
 vec3 velocity;
 ivec3 strides;
 uint around, joined;
-vec4 list[5];
+vec4 list[7];
 float listed = 0.0, close = 0.0, dropped = 0.0, touched = 0.0;
 
 // The bit (contact/joined.glsl) of the lattice neighbour that is so many cells further on in the numbering; 0: there is none.
@@ -41,7 +41,7 @@ uint neighbourBit(int steps) {
 
 // Nothing is indexed at run time: that costs a trip to memory.
 void add(float partner) {
-    for (int i = 4; i > 0; --i) list[i] = vec4(list[i - 1].w, list[i].xyz);
+    for (int i = 6; i > 0; --i) list[i] = vec4(list[i - 1].w, list[i].xyz);
     list[0] = vec4(partner, list[0].xyz);
     listed += 1.0;
 }
@@ -108,7 +108,7 @@ void visit(ivec3 voxel) {
 
 void main() {
     summary = vec4(0.0);
-    for (int i = 0; i < 5; ++i) partners[i] = list[i] = vec4(0.0);
+    for (int i = 0; i < 7; ++i) partners[i] = list[i] = vec4(0.0);
     if (texelFetch(exposed, ivec3(gl_FragCoord.xy, 0), 0).x == 0.0) return;
     self = fragmentSphere();
     centre = texelFetch(spheres, ivec3(gl_FragCoord.xy, 0), 0);
@@ -125,5 +125,5 @@ void main() {
         if (dot(beside, beside) < kReach * kReach) visit(low + step_);
     }
     summary = vec4(listed, close, dropped, touched);
-    for (int i = 0; i < 5; ++i) partners[i] = list[i];
+    for (int i = 0; i < 7; ++i) partners[i] = list[i];
 }

@@ -112,7 +112,7 @@ ContactPass::ContactPass(const World& world, int columns, Storage storage)
       regions_(regionTexels(world), texelColumns(regionTexels(world)), 2, "contact regions"),
       exposed_(countSpheres(world), columns << sphereBits_, 1, "exposed spheres"),
       grid_(gridTexels(world), texelColumns(gridTexels(world)), 3, "contact grid"),
-      partners_(countSpheres(world), columns << sphereBits_, 6, "contact partners"),
+      partners_(countSpheres(world), columns << sphereBits_, 8, "contact partners"),
       sphereProgram_(program(spheres_, "contact/spheres.frag", gl::with(defines_, "LISTED", "0"))),
       listedProgram_(program(spheres_, "contact/spheres.frag", gl::with(defines_, "LISTED", "1"))),
       regionProgram_({.vertex = "contact/region.vert",

@@ -175,7 +175,10 @@ TEST_CASE("The bond-breaking presets hold the measured table", "[scene]") {
     };
     const auto all = [](double s) { return Vec3(s, s, s); };
     const std::vector<Row> rows{
-        {"concrete", 30e9, .2, 2400, all(13), all(4.55), ClusterKind::Voronoi, .2, .8, .3, .6, 1},
+        // Tougher than measured by the prototype (13 and 4.55 MPa, 0.8 m): with our contact these
+        // give
+        // its 1, 20 and 90 pieces at 5, 15 and 40 m/s.
+        {"concrete", 30e9, .2, 2400, all(16), all(5.6), ClusterKind::Voronoi, .2, 1, .3, .6, 1},
         {"brick",
          10e9,
          .2,
