@@ -145,6 +145,28 @@ TEST_CASE("every bond that breaks is an incident, where its face then is") {
     }
 }
 
+TEST_CASE("who never waits reads a look's incidents two looks later") {
+    const World world(breakable({5, 4, 3}, FractureMode::Cell));
+    for (const SolverUnderTest& under : solversUnderTest()) {
+        INFO(under.name);
+        IncidentRing ring;
+        const auto solver = under.make(world);
+        solver->setIncidents(&ring);
+        solver->setState(pulled(world, 6));
+        for (int look = 0; look < 3; ++look) solver->advance(kLook);
+        const State state = solver->state();
+        std::vector<Incident> incidents = ring.take();
+        REQUIRE(!incidents.empty());
+        CHECK(incidents[0].step == kLook);
+        solver->finish();
+        for (const Incident& incident : ring.take()) incidents.push_back(incident);
+        const auto broken = std::count(state.damage.begin(), state.damage.end(), 1.);
+        CHECK(static_cast<std::ptrdiff_t>(incidents.size()) == broken);
+        for (std::size_t i = 1; i < incidents.size(); ++i)
+            CHECK(incidents[i - 1].step <= incidents[i].step);
+    }
+}
+
 TEST_CASE("what finds no room is counted") {
     const World world(breakable({12, 12, 12}, FractureMode::Cell));
     for (const SolverUnderTest& under : solversUnderTest()) {
