@@ -1,9 +1,10 @@
 // A hashed grid of voxels, one texel each, in three layers. Layer 0: of the numbers of the spheres in a voxel, which count from 1, the
-// largest; kNumbers less the smallest; the largest in the first other order; how many there are. Layer 1: the largest in each of four
-// pairs of opposite eighths of the voxel. Layer 2: the largest, and kNumbers less the smallest, in the second and third other order.
+// largest; kNumbers less the smallest; the largest in the first other order; how many there are. Layer 1: the largest in each of three
+// pairs of opposite eighths of the voxel. Layer 2: the largest, and kNumbers less the smallest, in the second other order; the largest
+// in the third. The last components of layers 1 and 2 are the sums of the numbers' halves (numberHalves()).
 //
-// A voxel is as wide as the largest sphere, so that more than two in it are rare; of three it loses one in fifty times, and counts it.
-// Where voxels begin changes from search to search, so that none is lost for long.
+// A voxel is as wide as the largest sphere, so that more than three in it are rare. Up to three are found for sure; of four it loses
+// two in a hundred times, and counts them. Where voxels begin changes from search to search, so that none is lost for long.
 #include "physics/lattice.glsl"
 
 uniform ivec2 gridBits;             // columns and rows are these powers of two
@@ -41,3 +42,10 @@ int eighthsOf(vec3 position, uint hash) {
 const uvec3 kScramble = uvec3(10368889u, 5588547u, 14414443u), kUnscramble = uvec3(11764425u, 7911019u, 8268355u);
 vec3 scrambled(float number) { return vec3(uint(number) * kScramble & 16777215u); }
 vec3 unscrambled(vec3 keys) { return vec3(uvec3(keys) * kUnscramble & 16777215u); }
+
+// A number's upper and lower twelve bits: sums of a few of them are exact.
+vec2 numberHalves(float number) {
+    float upper = floor(number / 4096.0);
+    return vec2(upper, number - 4096.0 * upper);
+}
+float numberOf(vec2 halves) { return 4096.0 * halves.x + halves.y; }

@@ -77,6 +77,10 @@ vec4 unlessAmong(vec4 numbers, vec4 known) {
 }
 float countOf(vec4 numbers) { return dot(vec4(greaterThan(numbers, vec4(0.0))), vec4(1.0)); }
 
+vec2 halvesOf(vec4 numbers) {
+    return numberHalves(numbers.x) + numberHalves(numbers.y) + numberHalves(numbers.z) + numberHalves(numbers.w);
+}
+
 // All spheres in a voxel.
 void visit(ivec3 voxel) {
     ivec2 texel = voxelTexel(voxelHash(voxel));
@@ -88,13 +92,22 @@ void visit(ivec3 voxel) {
     if (extremes.w > 2.0) {
         second = texelFetch(grid, ivec3(texel, 1), 0);
         third = texelFetch(grid, ivec3(texel, 2), 0);
-        vec3 high = unscrambled(vec3(extremes.z, third.x, third.z)), low = unscrambled(kNumbers - vec3(0.0, third.y, third.w));
-        first.z = high.x != largest && high.x != smallest ? high.x : 0.0;
-        second = unlessAmong(second, first);
-        third = unlessAmong(unlessAmong(vec4(high.y, low.y, high.z, low.z), first), second);
-        third.zw = mix(third.zw, vec2(0.0), bvec2(third.z == third.x || third.z == third.y, third.w == third.x || third.w == third.y));
-        places = 12;
-        if (largest == float(self + 1)) dropped += extremes.w - countOf(first) - countOf(second) - countOf(third);
+        vec2 rest = vec2(second.w, third.w) - halvesOf(first);
+        places = 3;
+        if (extremes.w > 3.0) {
+            vec3 high = unscrambled(vec3(extremes.z, third.x, third.z)), low = unscrambled(vec3(0.0, kNumbers - third.y, 0.0));
+            first.z = high.x != largest && high.x != smallest ? high.x : 0.0;
+            second = unlessAmong(vec4(second.xyz, 0.0), first);
+            third = unlessAmong(unlessAmong(vec4(high.y, low.y, high.z, 0.0), first), second);
+            if (third.z == third.x || third.z == third.y) third.z = 0.0;
+            rest -= numberHalves(first.z) + halvesOf(second) + halvesOf(third);
+            float missing = extremes.w - countOf(first) - countOf(second) - countOf(third);
+            if (missing == 1.0) third.w = numberOf(rest);
+            else if (largest == float(self + 1)) dropped += missing;
+            places = 12;
+        } else {
+            first.z = numberOf(rest);
+        }
     }
     for (int i = 0; i < places; ++i) {
         int other = int(first.x) - 1;

@@ -257,8 +257,7 @@ void ContactPass::fillGrid() {
     grid_.bind();
     constexpr GLfloat zero[] = {0, 0, 0, 0};
     for (const GLint layer : {0, 1, 2}) glClearBufferfv(GL_COLOR, layer, zero);
-    glBlendEquation(GL_MAX);
-    glBlendEquationSeparatei(0, GL_MAX, GL_FUNC_ADD);
+    glBlendEquationSeparate(GL_MAX, GL_FUNC_ADD);
     drawHeld(gridProgram_);
 }
 
