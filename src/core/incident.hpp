@@ -16,8 +16,9 @@ namespace sunder {
 ///
 /// A *contact* is a cell that other cells or objects hit. Its impulse is all that they pushed it
 /// with, one beside the other (squeezed from two sides counts twice), less what a lasting load
-/// pushed with anyway (blow()). Cells that get less than kBlowSpeed times their mass are left out.
-/// What the floor and the room's walls push with does not count.
+/// pushed with anyway (blow()); of a body that wakes or changes its solver the load counts once.
+/// Cells that get less than kBlowSpeed times their mass are left out. What the floor and the room's
+/// walls push with does not count.
 struct Incident {
     enum class Kind : std::uint8_t { Contact, Break };
     Kind kind = Kind::Contact;
