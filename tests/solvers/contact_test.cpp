@@ -314,22 +314,24 @@ TEST_CASE("a fresh crack does not explode") {
         }
 }
 
-/// Five seconds on, a heap lies as still as kCreepSpeed (core/sleep.hpp) says that heaps do, above
-/// ground, nothing inside anything else. `still`: share of its cells.
-void checkHeap(const World& world, const State& state, double still, double speed) {
-    const Diagnostics end = diagnose(world, state);
-    CAPTURE(end.maxSpeed, end.minY);
-    CHECK(end.nan == 0);
+/// m/s: what all but the fastest cells are slower than. `share`: of all cells.
+double speedOfMost(const World& world, const State& state, double share) {
     std::vector<double> speeds;
     for (int cell = 0; cell < world.cellCount(); ++cell)
         speeds.push_back(meanOf(state.velocity, cell).norm());
     std::sort(speeds.begin(), speeds.end());
-    CHECK(speeds[static_cast<std::size_t>(still * world.cellCount())] < speed * kEdge);
+    return speeds[static_cast<std::size_t>(share * world.cellCount())];
+}
+
+/// Nothing is below ground or inside anything else, and something lies on something.
+void checkHeap(const World& world, const State& state) {
+    const Diagnostics end = diagnose(world, state);
+    CAPTURE(end.maxSpeed, end.minY);
+    CHECK(end.nan == 0);
     CHECK(end.minY > -0.05 * kEdge);
     const double deepest = deepestOverlap(world, state);
     CAPTURE(deepest);
     CHECK(deepest < 0.1 * kEdge);
-    // It is a heap: something lies on something.
     double highest = 0;
     for (int cell = 0; cell < world.cellCount(); ++cell)
         highest = std::max(
@@ -347,9 +349,15 @@ TEST_CASE("a broken wall falls into a heap that comes to rest") {
         const auto solver = under.make(world);
         solver->setState(start);
         solver->advance(15000);
-        checkHeap(world, solver->state(), 0.8, kSleepSpeed);
+        // When the last pieces slide and topple (kCreepSpeed says why) is chance: a start that
+        // differs by a thousandth has another second for it.
+        const auto moving = [&] { return speedOfMost(world, solver->state(), 0.8); };
+        for (int second = 0; second < 10 && moving() >= kSleepSpeed * kEdge; ++second)
+            solver->advance(3000);
+        CHECK(moving() < kSleepSpeed * kEdge);
+        checkHeap(world, solver->state());
         if (under.sleeps) {
-            for (int second = 0; second < 10 && !solver->asleep(0); ++second) solver->advance(3000);
+            for (int second = 0; second < 20 && !solver->asleep(0); ++second) solver->advance(3000);
             CHECK(solver->asleep(0));
         }
     }
@@ -382,8 +390,9 @@ TEST_CASE("a thousand pieces fall into a heap that comes to rest") {
         const auto solver = under.make(world);
         solver->setState(start);
         solver->advance(15000);
-        // Now and then a few pieces slide down its slopes for half a minute.
-        checkHeap(world, solver->state(), 0.95, kCreepSpeed);
+        // At rest as heaps are at rest; a few pieces slide down its slopes for half a minute.
+        CHECK(speedOfMost(world, solver->state(), 0.95) < kCreepSpeed * kEdge);
+        checkHeap(world, solver->state());
     }
 }
 
