@@ -37,12 +37,6 @@ WorldDescription oddWalls(const Material& first, const Material& second) {
     return d;
 }
 
-double largestDifference(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-    double result = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) result = std::max(result, (a[i] - b[i]).norm());
-    return result;
-}
-
 std::vector<int> brokenBonds(const State& state) {
     std::vector<int> broken;
     for (std::size_t bond = 0; bond < state.damage.size(); ++bond)

@@ -84,15 +84,6 @@ WorldDescription hitHeap(double length = 0.1) {
     return d;
 }
 
-/// With single-precision numbers, so that every solver has the same.
-State rounded(State state) {
-    for (auto* field : {&state.displacement, &state.velocity})
-        for (Vec3& x : *field) x = x.cast<float>().cast<double>();
-    for (auto* field : {&state.damage, &state.slow})
-        for (double& x : *field) x = static_cast<float>(x);
-    return state;
-}
-
 std::set<std::pair<int, int>> breaksOf(const std::vector<Incident>& incidents) {
     std::set<std::pair<int, int>> result;
     for (const Incident& incident : incidents)
@@ -263,7 +254,7 @@ TEST_CASE("every solver's incidents are the reference's") {
     for (int snapshot = 0; snapshot < 3; ++snapshot) {
         CAPTURE(snapshot);
         start.advance(40);
-        state = rounded(start.state());
+        state = roundedToSingle(start.state());
         state.step = kLook - 10;
         const auto found = [&](Solver& solver) {
             IncidentRing ring;

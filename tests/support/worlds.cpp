@@ -1,6 +1,7 @@
 #include "support/worlds.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "core/links.hpp"
 #include "core/strength_map.hpp"
@@ -92,4 +93,25 @@ int tornNodes(const World& world, const State& state) {
         torn += !same;
     }
     return torn;
+}
+
+State roundedToSingle(State state) {
+    const auto round = [](Vec3& x) { x = x.cast<float>().cast<double>(); };
+    for (auto* field : {&state.displacement, &state.velocity})
+        for (Vec3& x : *field) round(x);
+    for (ObjectState& object : state.objects) {
+        round(object.position);
+        round(object.velocity);
+        round(object.angularMomentum);
+        object.orientation = object.orientation.cast<float>().cast<double>();
+    }
+    for (auto* field : {&state.damage, &state.slow})
+        for (double& x : *field) x = static_cast<float>(x);
+    return state;
+}
+
+double largestDifference(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    double largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).norm());
+    return largest;
 }

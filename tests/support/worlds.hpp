@@ -37,3 +37,8 @@ void detach(const sunder::World&, sunder::State&, int cell);
 
 /// Nodes that differ from a node they are joined to in any bit of displacement or velocity.
 int tornNodes(const sunder::World&, const sunder::State&);
+
+/// The same with numbers that every solver can hold.
+sunder::State roundedToSingle(sunder::State state);
+/// By how much a node's displacement or velocity differs at most.
+double largestDifference(const std::vector<sunder::Vec3>& a, const std::vector<sunder::Vec3>& b);
