@@ -253,7 +253,6 @@ TEST_CASE("a ball of 50 kg gives a free wall what it loses") {
             d.objects[0].friction = 0.3;
             const World world(d);
             for (const SolverUnderTest& under : throwing()) {
-                if (under.name == "reference" && speed == 15) continue;  // takes its time
                 INFO(under.name << ", " << material << ", " << speed << " m/s");
                 const auto solver = under.make(world);
                 const Diagnostics before = diagnose(world, solver->state());
