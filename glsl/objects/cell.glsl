@@ -1,4 +1,5 @@
 // A cell as objects see it: a rounded box that follows its nodes.
+#include "contact/proxy.glsl"
 #include "contact/storage.glsl"
 #include "objects/motion.glsl"
 
@@ -53,8 +54,5 @@ RoundedBox cellBox(CellMotion cell, vec3 edges) {
 void cornerWeights(RoundedBox box, vec3 margin, vec3 x, out float weights[8]) {
     vec3 local = (x - box.centre) * box.axes;
     vec3 place = clamp(0.5 + 0.5 * local / (box.half_ + box.radius), margin, 1.0 - margin);
-    for (int corner = 0; corner < 8; ++corner) {
-        vec3 share = mix(1.0 - place, place, bvec3(cornerBits(corner)));
-        weights[corner] = share.x * share.y * share.z;
-    }
+    for (int corner = 0; corner < 8; ++corner) weights[corner] = cornerWeight(place, corner);
 }

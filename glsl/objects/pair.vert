@@ -28,12 +28,6 @@ flat out float impulse;  // N·s
 flat out int object_;
 #endif
 
-// Half a sphere's share of a cell along each axis.
-vec3 placeMargin(BodyRecord body) {
-    int counts = int(body.events.z);
-    return 0.5 / vec3(counts & 15, counts >> 4 & 15, counts >> 8);
-}
-
 void hide() { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); }
 
 void show(ivec2 texel) { gl_Position = vec4(2.0 * (vec2(texel) + 0.5) / vec2(targetSize) - 1.0, 0.0, 1.0); }
@@ -55,7 +49,7 @@ void main() {
     BodyRecord body = bodyRecord(bodyOf(record));
     CellMotion nodes_ = cellMotion(cell);
     RoundedBox box = cellBox(nodes_, body.cellSize.xyz);
-    vec3 mean = meanOf(nodes_.velocity), margin = placeMargin(body);
+    vec3 mean = meanOf(nodes_.velocity), margin = 0.5 / sphereCounts(body);  // half a sphere's share of the cell
 
     // The touches of all objects with this cell are counted, this entry's is kept.
     float cellTouches = 0.0;

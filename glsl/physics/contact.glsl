@@ -1,8 +1,8 @@
 // Contact between two spheres of different cells: src/core/contact.hpp says what and why.
-const float kContactStiffness = 0.12;
+#include "physics/contact_constants.glsl"
+
 const float kFrictionRate = 0.3;
 const float kInelasticDamping = 0.6;
-const float kPartingTime = 0.01;  // s
 const float kCrowdGap = 0.1; // radii
 
 // What the law asks of a cell.

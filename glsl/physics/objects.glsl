@@ -1,8 +1,7 @@
 // How rounded boxes touch: src/core/object_contact.hpp says what and why.
+#include "physics/contact_constants.glsl"
 #include "shared/layout.h"
 
-const float kTouchPartingTime = 0.01;  // s, kPartingTime
-const float kTouchStiffness = 0.12;    // kContactStiffness
 const float kBounceSpeed = 0.3;        // m/s
 const int kProjections = 6;
 const int kAdvances = 8;
@@ -73,7 +72,7 @@ Touch sweptTouch(RoundedBox from, RoundedBox to, vec3 velocity, float h) {
 }
 
 float partingSpeed(float gap, float h) {
-    return gap > 0.0 ? -gap / h : -gap / max(kTouchPartingTime, h / kTouchStiffness);
+    return gap > 0.0 ? -gap / h : -gap / max(kPartingTime, h / kContactStiffness);
 }
 
 bool touches(Touch touch, vec3 velocity, float h) { return dot(velocity, touch.normal) < partingSpeed(touch.gap, h); }

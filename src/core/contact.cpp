@@ -44,12 +44,12 @@ Vec3 ContactProxy::place(int sphere) const {
     return (at.cast<double>() + Vec3::Constant(0.5)).cwiseQuotient(count.cast<double>());
 }
 
-std::array<double, kCorners> ContactProxy::weights(int sphere) const {
-    const Vec3 p = place(sphere);
+std::array<double, kCorners> trilinearWeights(const Vec3& place) {
     std::array<double, kCorners> result{};
     for (int corner = 0; corner < kCorners; ++corner) {
         double weight = 1;
-        for (int axis = 0; axis < 3; ++axis) weight *= corner >> axis & 1 ? p[axis] : 1 - p[axis];
+        for (int axis = 0; axis < 3; ++axis)
+            weight *= corner >> axis & 1 ? place[axis] : 1 - place[axis];
         result[static_cast<std::size_t>(corner)] = weight;
     }
     return result;

@@ -50,6 +50,9 @@ inline constexpr int kContactInterval = 4;        ///< steps
 /// get kInelasticDamping.
 double contactDamping(double restitution);
 
+/// Trilinear weights of a cell's corners at a place in it, each coordinate 0 to 1.
+std::array<double, kCorners> trilinearWeights(const Vec3& place);
+
 /// A cell's spheres: count[a] along axis a, evenly spaced, product at most 8; radius half the
 /// shortest edge. One for a cube; three for a cell three times as long as thick.
 struct ContactProxy {
@@ -58,8 +61,9 @@ struct ContactProxy {
     int spheres() const { return count.prod(); }
     /// Place of a sphere in the cell, each coordinate 0 to 1; x runs fastest.
     Vec3 place(int sphere) const;
-    /// Trilinear weights of the cell's corners at that place.
-    std::array<double, kCorners> weights(int sphere) const;
+    std::array<double, kCorners> weights(int sphere) const {
+        return trilinearWeights(place(sphere));
+    }
     /// m: from the centre of an undeformed cell to the farthest point of its spheres.
     double reach(const Vec3& cellSize) const;
 };

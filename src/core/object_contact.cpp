@@ -48,13 +48,7 @@ std::array<double, kCorners> cornerWeights(const RoundedBox& cell, const Contact
         place[axis] = std::clamp(0.5 + 0.5 * local[axis] / (cell.half[axis] + cell.radius), margin,
                                  1 - margin);
     }
-    std::array<double, kCorners> weights{};
-    for (int corner = 0; corner < kCorners; ++corner) {
-        weights[corner] = 1;
-        for (int axis = 0; axis < 3; ++axis)
-            weights[corner] *= corner >> axis & 1 ? place[axis] : 1 - place[axis];
-    }
-    return weights;
+    return trilinearWeights(place);
 }
 
 Touch touchOf(const RoundedBox& from, const RoundedBox& to) {

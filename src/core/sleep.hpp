@@ -19,6 +19,9 @@ inline constexpr double kSleepDelay = 0.5;   ///< s
 /// woken, too, by a cell of another one that pushes it faster than this.
 inline constexpr double kCreepSpeed = 0.5;  ///< cell edges/s
 
+/// m/s: an object slower than this may lie against a sleeping body.
+inline constexpr double kStirringSpeed = 0.05;
+
 /// m/s: a calm body has no node faster than this.
 double calmSpeed(const Body& body);
 /// m/s: nor one that touches something than this.

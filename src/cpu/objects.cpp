@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sleep.hpp"
+
 namespace sunder {
 namespace {
-
-/// An object slower than this may lie against a sleeping body.
-constexpr double kStirringSpeed = 0.05;  // m/s
 
 /// The corners of an object's core: the points with which it meets planes and other objects.
 std::vector<RoundedBox> cornersOf(const RoundedBox& box) {

@@ -3,14 +3,13 @@
 #include <algorithm>
 
 #include "core/contact.hpp"
+#include "core/sleep.hpp"
 #include "gpu/feedback.hpp"
 #include "gpu/layout.hpp"
 
 namespace sunder::gpu {
 namespace {
 
-/// An object slower than this may lie against a sleeping body.
-constexpr double kStirringSpeed = 0.05;  // m/s
 /// Room in the list, for every cell: more objects than that are seldom near one.
 constexpr std::size_t kPairsPerCell = 2;
 constexpr std::size_t kPairBytes = 4 * sizeof(GLint);

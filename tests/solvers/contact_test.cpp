@@ -20,12 +20,6 @@ namespace {
 
 constexpr double kEdge = 0.1;  // m
 
-std::vector<SolverUnderTest> touching() {
-    std::vector<SolverUnderTest> result = solversUnderTest();
-    std::erase_if(result, [](const SolverUnderTest& under) { return !under.contact; });
-    return result;
-}
-
 Material cellMaterial(double restitution, double friction) {
     Material material = softElastic();
     material.restitution = restitution;
@@ -162,7 +156,7 @@ WorldDescription onSlope(double degrees, double friction, double x) {
 }  // namespace
 
 TEST_CASE("two cells that meet head on part with the restitution asked for") {
-    for (const SolverUnderTest& under : touching())
+    for (const SolverUnderTest& under : touchingSolvers())
         for (const double offset : {0.0, 0.03})
             for (const double restitution : {0.2, 0.5, 0.8}) {
                 // Where in a step they first touch matters at 1.3 mm a step: the mean over six.
@@ -181,7 +175,7 @@ TEST_CASE("two cells that meet head on part with the restitution asked for") {
 }
 
 TEST_CASE("a cell on a slope of 20 degrees holds by a friction of 0.6 but for a creep") {
-    for (const SolverUnderTest& under : touching()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         INFO(under.name);
         const World world(onSlope(20, 0.6, 0));
         const auto solver = under.make(world);
@@ -196,7 +190,7 @@ TEST_CASE("a cell on a slope of 20 degrees holds by a friction of 0.6 but for a 
 }
 
 TEST_CASE("a cell on a slope slides at g(sin − μ·cos)") {
-    for (const SolverUnderTest& under : touching()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         INFO(under.name);
         const double expected =
             9.81 * (std::sin(std::numbers::pi / 9) - 0.2 * std::cos(std::numbers::pi / 9));
@@ -209,7 +203,7 @@ TEST_CASE("a cell on a slope slides at g(sin − μ·cos)") {
 }
 
 TEST_CASE("the ground holds and lets slide like a slope, too") {
-    for (const SolverUnderTest& under : touching())
+    for (const SolverUnderTest& under : touchingSolvers())
         for (const double friction : {0.2, 0.6}) {
             INFO(under.name << ", friction " << friction);
             Material material = softElastic();
@@ -240,7 +234,7 @@ TEST_CASE("a stack of ten cells stands for ten seconds") {
     d.gravity = {0, -9.81, 0};
     d.ground = true;
     const World world(d);
-    for (const SolverUnderTest& under : touching()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         INFO(under.name);
         const auto solver = under.make(world);
         // Friction that creeps leaves a column unstable: whatever rounding puts it aside grows
@@ -266,7 +260,7 @@ TEST_CASE("bonded neighbours never push: an intact wall moves to the bit as with
     const World without(d);
     d.contact = true;
     const World with(d);
-    for (const SolverUnderTest& under : touching()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         INFO(under.name);
         const auto a = under.make(without), b = under.make(with);
         State state = without.initialState();
@@ -284,7 +278,7 @@ TEST_CASE("bonded neighbours never push: an intact wall moves to the bit as with
 }
 
 TEST_CASE("a fresh crack does not explode") {
-    for (const SolverUnderTest& under : touching())
+    for (const SolverUnderTest& under : touchingSolvers())
         for (const double youngModulus : {1e5, 1e6}) {
             INFO(under.name << ", E " << youngModulus);
             Material material = softElastic();
@@ -344,7 +338,7 @@ TEST_CASE("a broken wall falls into a heap that comes to rest") {
     const State start = looseState(world);
     const int pieces = findPieces(world, start).count;
     REQUIRE(pieces > 80);
-    for (const SolverUnderTest& under : touching()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         INFO(under.name);
         const auto solver = under.make(world);
         solver->setState(start);
@@ -382,7 +376,7 @@ TEST_CASE("a thousand pieces fall into a heap that comes to rest") {
         }
     }
     REQUIRE(findPieces(world, start).count == 1000);
-    for (const SolverUnderTest& under : touching()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         // auto is cpu or gather here; scatter finds contacts as gather does, in five times the
         // time.
         if (under.name == "auto" || under.name == "scatter") continue;
@@ -397,7 +391,7 @@ TEST_CASE("a thousand pieces fall into a heap that comes to rest") {
 }
 
 TEST_CASE("every solver pushes as the reference does") {
-    const std::vector<SolverUnderTest> solvers = touching();
+    const std::vector<SolverUnderTest> solvers = touchingSolvers();
     if (solvers.empty()) return;
     WorldDescription cubes = looseWall();
     // Cells of three and of eight spheres, two materials in one body, and a second body on top.
@@ -487,7 +481,7 @@ TEST_CASE("whole bodies touch each other and themselves as the reference says") 
         CHECK(pushed[body] > 0);
         CHECK(pushed[body] < world.bodies()[body].cellCount());  // of 8 nodes per cell
     }
-    for (const SolverUnderTest& under : touching()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         INFO(under.name);
         const auto solver = under.make(world);
         solver->setState(start);
@@ -504,7 +498,7 @@ TEST_CASE("long cells pile up and come to rest as well") {
     d.bodies[0].cells = {8, 4, 2};
     d.bodies[0].size = {0.8, 1.2, 0.2};
     const World world(d);
-    for (const SolverUnderTest& under : touching()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         INFO(under.name);
         const auto solver = under.make(world);
         solver->setState(looseState(world));
@@ -520,7 +514,7 @@ TEST_CASE("long cells pile up and come to rest as well") {
 
 TEST_CASE("a state of a heap read back and set again goes on as if nothing had happened") {
     const World world(looseWall());
-    for (const SolverUnderTest& under : touching()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         INFO(under.name);
         const auto first = under.make(world), second = under.make(world), third = under.make(world);
         first->setState(looseState(world));
@@ -551,7 +545,7 @@ TEST_CASE("whatever touches whatever how fast, no number is lost") {
     fast.bodies[1].position = {0, 0, 1};
     fast.events = {hit(0, {0, 0.25, 0}, {0, 0, 200})};
     fast.events[0].radius = 1;
-    for (const SolverUnderTest& under : touching())
+    for (const SolverUnderTest& under : touchingSolvers())
         for (const WorldDescription* description : {&crowd, &inside, &fast}) {
             INFO(under.name);
             const World world(*description);
@@ -570,7 +564,7 @@ TEST_CASE("a sleeping cell wakes when another one hits it") {
     d.gravity = {0, -9.81, 0};
     d.ground = true;
     const World world(d);
-    for (const SolverUnderTest& under : touching()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         if (!under.sleeps) continue;
         INFO(under.name);
         const auto solver = under.make(world);

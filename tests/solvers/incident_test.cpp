@@ -16,12 +16,6 @@ namespace {
 
 constexpr int kLook = 50;  // steps
 
-std::vector<SolverUnderTest> touching() {
-    std::vector<SolverUnderTest> result = solversUnderTest();
-    std::erase_if(result, [](const SolverUnderTest& under) { return !under.contact; });
-    return result;
-}
-
 /// Mean place of a cell's corners that have all of these bits, m.
 Vec3 centreOf(const World& world, const State& state, int cell, int bits = 0) {
     Vec3 sum = Vec3::Zero();
@@ -178,7 +172,7 @@ TEST_CASE("what finds no room is counted") {
 
 TEST_CASE("two cells that collide are a contact each, with the momentum they exchange") {
     const World world(singleCells({{-0.06, 0, 0}, {0.06, 0, 0}}));
-    for (const SolverUnderTest& under : touching()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         INFO(under.name);
         IncidentRing ring;
         const auto solver = under.make(world);
@@ -223,7 +217,7 @@ TEST_CASE("a cell that an object hits is a contact with the object") {
     d.objects[1].position = Vec3(-0.17, 0, 0);
     d.objects[1].velocity = {4, 0, 0};
     const World world(d);
-    for (const SolverUnderTest& under : touching()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         INFO(under.name);
         IncidentRing ring;
         const auto solver = under.make(world);
@@ -268,7 +262,7 @@ TEST_CASE("every solver's incidents are the reference's") {
         const std::vector<Incident> expected = found(reference);
         contacts += expected.size() - breaksOf(expected).size();
         breaks += breaksOf(expected).size();
-        for (const SolverUnderTest& under : touching()) {
+        for (const SolverUnderTest& under : touchingSolvers()) {
             INFO(under.name);
             const auto solver = under.make(world);
             const std::vector<Incident> actual = found(*solver);
@@ -304,7 +298,7 @@ TEST_CASE("a heap that rests has no incidents") {
     State state = world.initialState();
     for (double& damage : state.damage)
         if (damage != kNoBond) damage = 1;
-    for (const SolverUnderTest& under : touching()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         INFO(under.name);
         IncidentRing ring;
         const auto solver = under.make(world);
@@ -322,7 +316,7 @@ TEST_CASE("a heap that rests has no incidents") {
 TEST_CASE("watching for incidents changes nothing, and what a state was set to is none") {
     const World world(hitHeap());
     const State state = pulled(world, 8);
-    for (const SolverUnderTest& under : touching()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         if (under.name == "auto") continue;  // who advances what depends on the clock
         INFO(under.name);
         std::uint64_t hashes[2];

@@ -14,12 +14,6 @@ using namespace sunder;
 
 namespace {
 
-std::vector<SolverUnderTest> throwing() {
-    std::vector<SolverUnderTest> result = solversUnderTest();
-    std::erase_if(result, [](const SolverUnderTest& under) { return !under.contact; });
-    return result;
-}
-
 ObjectDescription ball(double radius, double mass, const Vec3& position, const Vec3& velocity) {
     ObjectDescription object;
     object.name = "ball";
@@ -62,7 +56,7 @@ double momentumScale(const World& world, const State& state) {
 }  // namespace
 
 TEST_CASE("a ball bounces off the ground with its restitution") {
-    for (const SolverUnderTest& under : throwing())
+    for (const SolverUnderTest& under : touchingSolvers())
         for (const double restitution : {0.0, 0.5, 0.9}) {
             INFO(under.name << ", e " << restitution);
             WorldDescription d = objectsOnly();
@@ -83,7 +77,7 @@ TEST_CASE("a ball bounces off the ground with its restitution") {
 }
 
 TEST_CASE("two balls part with the mean of their restitutions, momentum kept") {
-    for (const SolverUnderTest& under : throwing())
+    for (const SolverUnderTest& under : touchingSolvers())
         for (const double offset : {0.0, 0.08}) {
             INFO(under.name << ", offset " << offset);
             WorldDescription d = objectsOnly();
@@ -108,7 +102,7 @@ TEST_CASE("two balls part with the mean of their restitutions, momentum kept") {
 }
 
 TEST_CASE("a room's walls and fixed obstacles throw a ball back") {
-    for (const SolverUnderTest& under : throwing()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         INFO(under.name);
         WorldDescription d = objectsOnly();
         d.room = RoomDescription{{-1, 1}, {-2, 200}, 0.5, 3.0};
@@ -131,7 +125,7 @@ TEST_CASE("a room's walls and fixed obstacles throw a ball back") {
 }
 
 TEST_CASE("a box that is set down stands, one on another, and a ball rolls") {
-    for (const SolverUnderTest& under : throwing()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         INFO(under.name);
         WorldDescription d = objectsOnly();
         d.ground = true;
@@ -160,7 +154,7 @@ TEST_CASE("a box that is set down stands, one on another, and a ball rolls") {
 }
 
 TEST_CASE("a ball on a chain swings as a pendulum does") {
-    for (const SolverUnderTest& under : throwing()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         INFO(under.name);
         WorldDescription d = objectsOnly();
         d.gravity = {0, -9.81, 0};
@@ -178,7 +172,7 @@ TEST_CASE("a ball on a chain swings as a pendulum does") {
 }
 
 TEST_CASE("a free spin keeps its angular momentum and its energy") {
-    for (const SolverUnderTest& under : throwing()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         INFO(under.name);
         WorldDescription d = objectsOnly();
         d.objects = {shaped(ObjectShape::Box, {0.3, 0.1, 0.2}, 5, {0, 0, 0}, {0, 0, 0})};
@@ -218,7 +212,7 @@ TEST_CASE("every solver's objects push as the reference's") {
         for (int i = 0; i < 3; ++i)
             if (snapshot == 0)
                 CHECK((after.objects[i].velocity - before.objects[i].velocity).norm() > 0.05);
-        for (const SolverUnderTest& under : throwing()) {
+        for (const SolverUnderTest& under : touchingSolvers()) {
             INFO(under.name << ", snapshot " << snapshot);
             const auto solver = under.make(world);
             solver->setState(before);
@@ -252,7 +246,7 @@ TEST_CASE("a ball of 50 kg gives a free wall what it loses") {
             d.materials[0].damping = 0;
             d.objects[0].friction = 0.3;
             const World world(d);
-            for (const SolverUnderTest& under : throwing()) {
+            for (const SolverUnderTest& under : touchingSolvers()) {
                 INFO(under.name << ", " << material << ", " << speed << " m/s");
                 const auto solver = under.make(world);
                 const Diagnostics before = diagnose(world, solver->state());
@@ -299,7 +293,7 @@ TEST_CASE("whatever an object is and does, no number is lost") {
         d.objects = {c.object};
         d.objects[0].spin = {100, 300, 1000};
         const World world(d);
-        for (const SolverUnderTest& under : throwing()) {
+        for (const SolverUnderTest& under : touchingSolvers()) {
             INFO(under.name << ", " << c.what);
             const auto solver = under.make(world);
             solver->advance(400);
@@ -320,7 +314,7 @@ TEST_CASE("nothing small and fast slips through a wall") {
         for (const double speed : {30.0, 200.0, 1000.0}) {
             d.objects = {ball(0.01, 0.01, place, {0, 0, -speed})};
             const World world(d);
-            for (const SolverUnderTest& under : throwing()) {
+            for (const SolverUnderTest& under : touchingSolvers()) {
                 INFO(under.name << ", " << speed << " m/s");
                 const auto solver = under.make(world);
                 solver->advance(static_cast<int>(1.5 / speed * 3000) + 30);
@@ -340,7 +334,7 @@ TEST_CASE("a sleeping wall wakes for a ball before it is hit") {
     d.objects[0].position.reset();
     d.throws = {{1.0, 0, {0, 0.3, 3}, {0, 0, -20}, {0, 0, 0}}};
     const World world(d);
-    for (const SolverUnderTest& under : throwing()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         if (!under.sleeps) continue;
         INFO(under.name);
         const auto solver = under.make(world);
@@ -366,7 +360,7 @@ TEST_CASE("objects repeat themselves to the bit") {
     d.objects = {ball(0.15, 20, {0.05, 0.3, 0.4}, {0.5, -1, -7}),
                  shaped(ObjectShape::Box, {0.2, 0.1, 0.1}, 12, {0.1, 0.9, 0}, {0, -6, 1})};
     const World world(d);
-    for (const SolverUnderTest& under : throwing()) {
+    for (const SolverUnderTest& under : touchingSolvers()) {
         if (under.name == "auto") continue;  // who advances what depends on the clock
         INFO(under.name);
         const auto first = under.make(world), second = under.make(world);

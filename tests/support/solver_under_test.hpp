@@ -18,3 +18,10 @@ struct SolverUnderTest {
 };
 
 std::vector<SolverUnderTest> solversUnderTest();
+
+/// Those among them that have contact.
+inline std::vector<SolverUnderTest> touchingSolvers() {
+    std::vector<SolverUnderTest> result = solversUnderTest();
+    std::erase_if(result, [](const SolverUnderTest& under) { return !under.contact; });
+    return result;
+}
