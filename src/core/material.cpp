@@ -35,7 +35,10 @@ constexpr MaterialField kFields[] = {
     {"horiz_edge_amplitude", "m", 0, 100, false, false, &M::horizEdgeAmplitude, nullptr},
     {"vert_edge_frequency", "1", 0, 20, false, false, &M::vertEdgeFrequency, nullptr},
     {"vert_edge_amplitude", "m", 0, 100, false, false, &M::vertEdgeAmplitude, nullptr},
+    {"joint_width", "m", 0, 1, false, false, &M::jointWidth, nullptr},
     {"colour", "1", 0, 1, false, false, nullptr, &M::colour},
+    {"inside_colour", "1", 0, 1, false, false, nullptr, &M::insideColour},
+    {"transparency", "1", 0, 1, false, false, &M::transparency, nullptr},
 };
 
 }  // namespace
@@ -70,6 +73,24 @@ std::string_view toString(ClusterKind kind) {
             return "running-bond";
         case ClusterKind::Planks:
             return "planks";
+    }
+    return "";
+}
+
+std::string_view toString(SurfaceKind kind) {
+    switch (kind) {
+        case SurfaceKind::Plain:
+            return "plain";
+        case SurfaceKind::Wood:
+            return "wood";
+        case SurfaceKind::Brick:
+            return "brick";
+        case SurfaceKind::Concrete:
+            return "concrete";
+        case SurfaceKind::Rubber:
+            return "rubber";
+        case SurfaceKind::Glass:
+            return "glass";
     }
     return "";
 }

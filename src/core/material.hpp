@@ -28,6 +28,16 @@ enum class ClusterKind {
     Planks,       ///< strips side by side along x, running along y
 };
 
+/// What a material's surface is drawn as (src/render, glsl/draw/surface.glsl).
+enum class SurfaceKind {
+    Plain,  ///< one colour
+    Wood,   ///< grain along y, growth rings across
+    Brick,  ///< bricks and mortar where `clusters` has them
+    Concrete,
+    Rubber,
+    Glass,  ///< smooth; `transparency` says how clear
+};
+
 /// Everything that makes wood wood. Each field: unit, range, what raising it does. Ranges are
 /// checked when a file is read (materialFields() below holds the same ranges for the reader and for
 /// sliders).
@@ -100,8 +110,17 @@ struct Material {
     double vertEdgeFrequency = 0;          ///< 1, 0 to 20
     double vertEdgeAmplitude = 0;          ///< m, 0 to 100
 
-    /// Base colour, linear RGB, each 0 to 1.
+    /// m, 0 to 1: mortar between bricks, groove between planks. Broken edges along a boundary of
+    /// running-bond or planks stay within it, however large the amplitudes.
+    double jointWidth = 0;
+
+    // --- Look ---
+    SurfaceKind surface = SurfaceKind::Plain;
+    /// Base colour of the outside and of what a break bares, linear RGB, each 0 to 1.
     Vec3 colour{0.6, 0.6, 0.6};
+    Vec3 insideColour{0.7, 0.7, 0.7};
+    /// 1, 0 (opaque) to 1 (clear): share of light that passes a face seen from straight in front.
+    double transparency = 0;
 };
 
 /// One number in a Material: its key in a file, its range. The file reader and the tests walk this
@@ -122,5 +141,6 @@ std::span<const MaterialField> materialFields();
 std::string_view toString(ConstitutiveLaw);
 std::string_view toString(FractureMode);
 std::string_view toString(ClusterKind);
+std::string_view toString(SurfaceKind);
 
 }  // namespace sunder

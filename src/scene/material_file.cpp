@@ -34,6 +34,7 @@ Material readMaterial(const TableReader& reader, MaterialLibrary& library, std::
     readEnum(reader, "law", material.law, ConstitutiveLaw::Corotated);
     readEnum(reader, "fracture", material.fracture, FractureMode::Bond);
     readEnum(reader, "clusters", material.clusters, ClusterKind::Planks);
+    readEnum(reader, "surface", material.surface, SurfaceKind::Glass);
     for (const MaterialField& field : materialFields()) {
         const Range range{field.min, field.max, field.unit, field.minExcluded, field.maxExcluded};
         if (field.scalar)
@@ -59,7 +60,7 @@ Material parseMaterialAt(std::string_view text, const std::string& file,
 }  // namespace
 
 TableReader::Keys materialKeys() {
-    TableReader::Keys keys{"description", "base", "law", "fracture", "clusters"};
+    TableReader::Keys keys{"description", "base", "law", "fracture", "clusters", "surface"};
     for (const MaterialField& field : materialFields()) keys.push_back(field.key);
     return keys;
 }
