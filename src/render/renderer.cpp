@@ -5,6 +5,7 @@
 #include "render/backdrop.hpp"
 #include "render/camera.hpp"
 #include "render/cell_pass.hpp"
+#include "render/display_pass.hpp"
 #include "render/object_pass.hpp"
 #include "render/picture_target.hpp"
 #include "render/scene_bounds.hpp"
@@ -63,30 +64,60 @@ struct Passes {
 
 }  // namespace
 
+/// The display mesh and its passes: one per way of drawing.
+struct Display {
+    DisplayMesh mesh;
+    DisplayBuffers buffers;
+    DisplayPass depth, shaded, lines;
+
+    Display(const World& world, const gpu::WorldBuffers& worldBuffers)
+        : mesh(world),
+          buffers(mesh),
+          depth(DisplayPass::Output::Depth, worldBuffers, buffers),
+          shaded(DisplayPass::Output::Shaded, worldBuffers, buffers),
+          lines(DisplayPass::Output::Lines, worldBuffers, buffers) {}
+};
+
 struct Renderer::Impl {
+    const World& world;
+    const gpu::WorldBuffers& worldBuffers;
     SceneBounds bounds;
     gl::VertexArray noAttributes = gl::makeVertexArray();
     ShadowMap shadows;
     Backdrop backdrop;
     Passes<CellPass> cells;
+    std::optional<Display> display;             ///< once it has been asked for
     std::optional<Passes<ObjectPass>> objects;  ///< where the world has any
     PictureTarget target;
 
-    Impl(const World& world, const gpu::WorldBuffers& buffers)
-        : bounds(sceneBounds(world)),
+    Impl(const World& w, const gpu::WorldBuffers& buffers)
+        : world(w),
+          worldBuffers(buffers),
+          bounds(sceneBounds(world)),
           shadows(bounds),
           backdrop(bounds, noAttributes),
           cells(buffers, noAttributes) {
         if (!world.objects().empty()) objects.emplace(world, buffers, noAttributes);
     }
 
-    void drawShadows(const gpu::StateView& state) const {
+    Display& displayed() {
+        if (!display) display.emplace(world, worldBuffers);
+        return *display;
+    }
+
+    void drawShadows(const gpu::StateView& state, DrawnMesh mesh) {
         shadows.begin();
         // What stands between the sun and the map's box is flattened onto its front instead of
         // being cut off.
         glEnable(GL_DEPTH_CLAMP);
-        cells.depth.begin();
-        cells.depth.draw(state, shadows.lightMatrix());
+        if (mesh == DrawnMesh::Simulation) {
+            cells.depth.begin();
+            cells.depth.draw(state, shadows.lightMatrix());
+        } else {
+            displayed().depth.begin();
+            displayed().depth.draw(state, shadows.lightMatrix(), DisplayBuffers::Part::Opaque);
+            displayed().depth.draw(state, shadows.lightMatrix(), DisplayBuffers::Part::Transparent);
+        }
         if (objects) {
             objects->depth.begin();
             objects->depth.draw(state, shadows.lightMatrix());
@@ -100,12 +131,16 @@ struct Renderer::Impl {
         setUniform(program, "grounded", bounds.ground);
     }
 
-    void drawSolid(const gpu::StateView& state, const Camera& camera, float wire) const {
+    void drawSolid(const gpu::StateView& state, const Camera& camera, DrawnMesh mesh, float wire) {
         glEnable(GL_CULL_FACE);
-        const gl::Program& program = cells.shaded.begin();
-        setLight(program);
-        setUniform(program, "wire", wire);
-        cells.shaded.draw(state, camera.viewProjection());
+        if (mesh == DrawnMesh::Simulation) {
+            const gl::Program& program = cells.shaded.begin();
+            setLight(program);
+            setUniform(program, "wire", wire);
+            cells.shaded.draw(state, camera.viewProjection());
+        } else {
+            drawDisplay(state, camera, wire > 0);
+        }
         if (!objects) return;
         const gl::Program& smooth = objects->shaded.begin();
         setLight(smooth);
@@ -113,16 +148,49 @@ struct Renderer::Impl {
         objects->shaded.draw(state, camera.viewProjection());
     }
 
+    void drawDisplay(const gpu::StateView& state, const Camera& camera, bool wire) {
+        const gl::Program& program = displayed().shaded.begin();
+        setLight(program);
+        // Lines in front of the surface that they are on.
+        if (wire) glEnable(GL_POLYGON_OFFSET_FILL);
+        glPolygonOffset(1, 2);
+        displayed().shaded.draw(state, camera.viewProjection(), DisplayBuffers::Part::Opaque);
+        displayed().shaded.draw(state, camera.viewProjection(), DisplayBuffers::Part::Transparent);
+        glDisable(GL_POLYGON_OFFSET_FILL);
+        if (!wire) return;
+        glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+        drawDisplayLines(state, camera, glm::vec4(0.02f, 0.02f, 0.02f, 0.5f));
+        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    }
+
+    void drawDisplayLines(const gpu::StateView& state, const Camera& camera,
+                          const glm::vec4& colour) {
+        glDepthMask(GL_FALSE);
+        glEnable(GL_BLEND);
+        glBlendEquation(GL_FUNC_ADD);
+        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+        setUniform(displayed().lines.begin(), "lineColour", colour);
+        displayed().lines.draw(state, camera.viewProjection(), DisplayBuffers::Part::Opaque);
+        displayed().lines.draw(state, camera.viewProjection(), DisplayBuffers::Part::Transparent);
+        glDisable(GL_BLEND);
+        glDepthMask(GL_TRUE);
+    }
+
     /// Lines hide nothing, so that the far side shows through.
-    void drawWireframe(const gpu::StateView& state, const Camera& camera) const {
+    void drawWireframe(const gpu::StateView& state, const Camera& camera, DrawnMesh mesh) {
         glDisable(GL_CULL_FACE);
         glDepthMask(GL_FALSE);
         glEnable(GL_BLEND);
         glBlendEquation(GL_FUNC_ADD);
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
         glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-        setUniform(cells.lines.begin(), "eye", camera.eye);
-        cells.lines.draw(state, camera.viewProjection());
+        if (mesh == DrawnMesh::Simulation) {
+            setUniform(cells.lines.begin(), "eye", camera.eye);
+            cells.lines.draw(state, camera.viewProjection());
+        } else {
+            drawDisplayLines(state, camera, glm::vec4(0.05f, 0.04f, 0.03f, 0.6f));
+            glEnable(GL_BLEND);
+        }
         if (!objects) return;
         setUniform(objects->lines.begin(), "eye", camera.eye);
         objects->lines.draw(state, camera.viewProjection());
@@ -133,6 +201,10 @@ Renderer::Renderer(const World& world, const gpu::WorldBuffers& buffers)
     : impl_(std::make_unique<Impl>(world, buffers)) {}
 
 Renderer::~Renderer() = default;
+
+const DisplayMesh& Renderer::displayMesh() {
+    return impl_->displayed().mesh;
+}
 
 Image Renderer::draw(const gpu::StateView& state, const CameraDescription& description,
                      const RenderSettings& settings) {
@@ -145,13 +217,14 @@ Image Renderer::draw(const gpu::StateView& state, const CameraDescription& descr
     {
         const DrawingState drawing;
         const bool solid = settings.style != DrawStyle::Wireframe;
-        if (solid) impl.drawShadows(state);
+        if (solid) impl.drawShadows(state, settings.mesh);
         impl.target.begin();
         impl.backdrop.draw(camera, solid ? &impl.shadows : nullptr);
         if (solid)
-            impl.drawSolid(state, camera, settings.style == DrawStyle::Overlay ? 1.f : 0.f);
+            impl.drawSolid(state, camera, settings.mesh,
+                           settings.style == DrawStyle::Overlay ? 1.f : 0.f);
         else
-            impl.drawWireframe(state, camera);
+            impl.drawWireframe(state, camera, settings.mesh);
         impl.target.resolve();
     }
     return impl.target.read();
