@@ -265,14 +265,21 @@ struct DisplayLattice::Maker {
         return most;
     }
 
+    /// Number of the edge point at fine coordinate p along `axis`; corners do not count.
+    int ordinal(const IVec3& p, int axis) const {
+        return p[axis] / n[axis] * std::max(n[axis] - 1, 1) + p[axis] % n[axis];
+    }
+
     /// Zig-zag of a point on a face between cells, −1 to 1. Points along an edge alternate, mostly;
     /// the thickness only varies how far they go, so that what is torn looks like splinters and not
     /// like a sawn profile.
     double zigzag(const IVec3& p, int axis) const {
         const int b = (axis + 1) % 3, c = (axis + 2) % 3;
-        const int along = axis == 1 ? p[0] : axis == 0 ? p[1] : p[0] + p[1];
+        const int along = axis == 1   ? ordinal(p, 0)
+                          : axis == 0 ? ordinal(p, 1)
+                                      : ordinal(p, 0) + ordinal(p, 1);
         const auto which = key(static_cast<std::uint64_t>(axis) + 4 * p[axis], p[b], p[c]);
-        const double sign = (along & 1) == (uniform(which, kFlip) < 0.15) ? 1 : -1;
+        const double sign = (along & 1) == (uniform(which, kFlip) < 0.25) ? 1 : -1;
         return sign * (0.3 + 0.7 * uniform(which, kZigzag));
     }
 

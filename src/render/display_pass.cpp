@@ -21,6 +21,9 @@ gl::ProgramDescription describe(DisplayPass::Output output) {
             description.defines = {{"DEPTH_ONLY", "1"}};
             description.fragment = "draw/display_lines.frag";
             break;
+        case DisplayPass::Output::Positions:
+            description.feedback = {"position"};
+            break;
     }
     return description;
 }
@@ -28,7 +31,8 @@ gl::ProgramDescription describe(DisplayPass::Output output) {
 }  // namespace
 
 DisplayBuffers::DisplayBuffers(const DisplayMesh& mesh)
-    : indices_(mesh.indices().size()),
+    : vertices_(mesh.vertices().size()),
+      indices_(mesh.indices().size()),
       opaqueIndices_(mesh.opaqueIndices()),
       vertexBuffer_(gl::makeBuffer(std::span(mesh.vertices()), GL_STATIC_DRAW, "display mesh")),
       indexBuffer_(gl::makeBuffer(std::span(mesh.indices()), GL_STATIC_DRAW, "display mesh")),
@@ -54,6 +58,11 @@ void DisplayBuffers::draw(Part part) const {
                    reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
 }
 
+void DisplayBuffers::drawVertices() const {
+    glBindVertexArray(vertexArray_.id());
+    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(vertices_));
+}
+
 DisplayPass::DisplayPass(Output output, const gpu::WorldBuffers& buffers,
                          const DisplayBuffers& mesh)
     : buffers_(buffers), mesh_(mesh), program_(describe(output)) {
@@ -75,6 +84,16 @@ const gl::Program& DisplayPass::begin() const {
 void DisplayPass::draw(const gpu::StateView& state, const glm::mat4& viewProjection,
                        DisplayBuffers::Part part) const {
     setUniform(program_, "viewProjection", viewProjection);
+    bind(state);
+    mesh_.draw(part);
+}
+
+void DisplayPass::drawVertices(const gpu::StateView& state) const {
+    bind(state);
+    mesh_.drawVertices();
+}
+
+void DisplayPass::bind(const gpu::StateView& state) const {
     gl::bindTexture(kCellUnit, GL_TEXTURE_BUFFER, buffers_.cells());
     gl::bindTexture(kBodyUnit, GL_TEXTURE_BUFFER, buffers_.bodies());
     gl::bindTexture(kBondUnit, GL_TEXTURE_BUFFER, *state.damage);
@@ -83,7 +102,6 @@ void DisplayPass::draw(const gpu::StateView& state, const glm::mat4& viewProject
     glUniform2i(program_.uniform("displacementStrides"), state.cellStride, state.cornerStride);
     gl::bindTexture(kRestUnit, GL_TEXTURE_BUFFER, buffers_.rest());
     glBindBufferBase(GL_UNIFORM_BUFFER, kLawBinding, buffers_.laws().id());
-    mesh_.draw(part);
 }
 
 }  // namespace sunder

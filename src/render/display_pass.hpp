@@ -15,12 +15,14 @@ class DisplayBuffers {
     enum class Part { Opaque, Transparent };
     bool empty(Part part) const { return count(part) == 0; }
     void draw(Part) const;
+    /// Every vertex once, as a point.
+    void drawVertices() const;
 
   private:
     std::size_t count(Part part) const {
         return part == Part::Opaque ? opaqueIndices_ : indices_ - opaqueIndices_;
     }
-    std::size_t indices_, opaqueIndices_;
+    std::size_t vertices_, indices_, opaqueIndices_;
     gl::Buffer vertexBuffer_, indexBuffer_;
     gl::VertexArray vertexArray_;
 };
@@ -31,15 +33,20 @@ class DisplayPass {
     enum class Output {
         Depth,  ///< for the shadow map
         Shaded,
-        Lines,  ///< one colour, for GL_LINE polygons
+        Lines,      ///< one colour, for GL_LINE polygons
+        Positions,  ///< captured: `position` of every vertex, m
     };
     DisplayPass(Output, const gpu::WorldBuffers&, const DisplayBuffers&);
 
     /// In use after this; set further uniforms of it before draw().
     const gl::Program& begin() const;
     void draw(const gpu::StateView&, const glm::mat4& viewProjection, DisplayBuffers::Part) const;
+    /// Every vertex once, as a point.
+    void drawVertices(const gpu::StateView&) const;
 
   private:
+    void bind(const gpu::StateView&) const;
+
     const gpu::WorldBuffers& buffers_;
     const DisplayBuffers& mesh_;
     gl::Program program_;

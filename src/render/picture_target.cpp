@@ -67,10 +67,10 @@ PictureTarget::PictureTarget(int width, int height, int samples)
     requireComplete(width, height);
 }
 
-void PictureTarget::begin() const {
+void PictureTarget::begin(const glm::vec3& background) const {
     glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
     glViewport(0, 0, width_, height_);
-    glClearColor(0, 0, 0, 1);
+    glClearColor(background.r, background.g, background.b, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <glm/glm.hpp>
+
 #include "gl/objects.hpp"
 #include "image/image.hpp"
 
@@ -16,8 +18,8 @@ class PictureTarget {
     bool fits(int width, int height, int samples) const {
         return width == width_ && height == height_ && samples == samples_;
     }
-    /// Binds the multisampled framebuffer, cleared, and its viewport.
-    void begin() const;
+    /// Binds the multisampled framebuffer, cleared to a linear colour, and its viewport.
+    void begin(const glm::vec3& background) const;
     /// Averages the samples; the plain framebuffer is bound afterwards.
     void resolve() const;
     /// Reads the resolved picture. Waits for the GPU.

@@ -218,8 +218,8 @@ Image Renderer::draw(const gpu::StateView& state, const CameraDescription& descr
         const DrawingState drawing;
         const bool solid = settings.style != DrawStyle::Wireframe;
         if (solid) impl.drawShadows(state, settings.mesh);
-        impl.target.begin();
-        impl.backdrop.draw(camera, solid ? &impl.shadows : nullptr);
+        impl.target.begin(settings.background.value_or(glm::vec3(0)));
+        if (!settings.background) impl.backdrop.draw(camera, solid ? &impl.shadows : nullptr);
         if (solid)
             impl.drawSolid(state, camera, settings.mesh,
                            settings.style == DrawStyle::Overlay ? 1.f : 0.f);

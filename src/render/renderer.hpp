@@ -1,5 +1,7 @@
 #pragma once
+#include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 
 #include "core/display_mesh.hpp"
 #include "gpu/world_buffers.hpp"
@@ -23,6 +25,8 @@ struct RenderSettings {
     int width = 1280, height = 720;
     int samples = 4;  ///< multisampling; clamped to what the device has
     DrawnMesh mesh = DrawnMesh::Display;
+    /// Linear RGB instead of sky and ground, to cut walls out by.
+    std::optional<glm::vec3> background = std::nullopt;
     DrawStyle style = DrawStyle::Solid;
 };
 
