@@ -8,7 +8,8 @@
 #include "render/object_pass.hpp"
 #include "render/picture_target.hpp"
 #include "render/scene_bounds.hpp"
-#include "render/shadow_map.hpp"
+#include "render/shading.hpp"
+#include "render/transparency.hpp"
 #include "render/uniforms.hpp"
 
 namespace sunder {
@@ -42,6 +43,7 @@ class DrawingState {
         glDisable(GL_FRAMEBUFFER_SRGB);
         glDepthMask(GL_TRUE);
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+        ShadowMap::unbind();
         glBindVertexArray(0);
         glUseProgram(0);
     }
@@ -61,32 +63,51 @@ struct Passes {
           lines(CellPass::Output::Lines, arguments...) {}
 };
 
+/// What draws materials that let light through.
+struct Glass {
+    CellPass depth, shaded;
+    Transparency layers;
+
+    Glass(const gpu::WorldBuffers& buffers, const gl::VertexArray& noAttributes)
+        : depth(CellPass::Output::TransparentDepth, buffers, noAttributes),
+          shaded(CellPass::Output::Transparent, buffers, noAttributes),
+          layers(noAttributes) {}
+};
+
 }  // namespace
 
 struct Renderer::Impl {
     SceneBounds bounds;
     gl::VertexArray noAttributes = gl::makeVertexArray();
-    ShadowMap shadows;
+    Shading shading;
     Backdrop backdrop;
     Passes<CellPass> cells;
     std::optional<Passes<ObjectPass>> objects;  ///< where the world has any
+    std::optional<Glass> glass;                 ///< where a material is transparent
     PictureTarget target;
 
     Impl(const World& world, const gpu::WorldBuffers& buffers)
         : bounds(sceneBounds(world)),
-          shadows(bounds),
+          shading(world, bounds, noAttributes),
           backdrop(bounds, noAttributes),
           cells(buffers, noAttributes) {
         if (!world.objects().empty()) objects.emplace(world, buffers, noAttributes);
+        if (shading.looks().anyTransparent()) glass.emplace(buffers, noAttributes);
     }
 
     void drawShadows(const gpu::StateView& state) const {
+        const ShadowMap& shadows = shading.shadows();
         shadows.begin();
         // What stands between the sun and the map's box is flattened onto its front instead of
         // being cut off.
         glEnable(GL_DEPTH_CLAMP);
+        shading.looks().bind();
         cells.depth.begin();
         cells.depth.draw(state, shadows.lightMatrix());
+        if (glass) {
+            glass->depth.begin();
+            glass->depth.draw(state, shadows.lightMatrix());
+        }
         if (objects) {
             objects->depth.begin();
             objects->depth.draw(state, shadows.lightMatrix());
@@ -94,23 +115,23 @@ struct Renderer::Impl {
         glDisable(GL_DEPTH_CLAMP);
     }
 
-    /// What draw/light.glsl reads.
-    void setLight(const gl::Program& program) const {
-        shadows.bind(program);
-        setUniform(program, "grounded", bounds.ground);
+    void drawCells(const CellPass& pass, const gpu::StateView& state, const Camera& camera,
+                   float wire) const {
+        const gl::Program& program = pass.begin();
+        shading.bind(program, camera.eye);
+        setUniform(program, "wire", wire);
+        pass.draw(state, camera.viewProjection());
     }
 
-    void drawSolid(const gpu::StateView& state, const Camera& camera, float wire) const {
+    void drawSolid(const gpu::StateView& state, const Camera& camera, float wire) {
         glEnable(GL_CULL_FACE);
-        const gl::Program& program = cells.shaded.begin();
-        setLight(program);
-        setUniform(program, "wire", wire);
-        cells.shaded.draw(state, camera.viewProjection());
-        if (!objects) return;
-        const gl::Program& smooth = objects->shaded.begin();
-        setLight(smooth);
-        setUniform(smooth, "eye", camera.eye);
-        objects->shaded.draw(state, camera.viewProjection());
+        drawCells(cells.shaded, state, camera, wire);
+        if (objects) {
+            shading.bind(objects->shaded.begin(), camera.eye);
+            objects->shaded.draw(state, camera.viewProjection());
+        }
+        if (glass)
+            glass->layers.draw(target, [&] { drawCells(glass->shaded, state, camera, wire); });
     }
 
     /// Lines hide nothing, so that the far side shows through.
@@ -121,10 +142,10 @@ struct Renderer::Impl {
         glBlendEquation(GL_FUNC_ADD);
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
         glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-        setUniform(cells.lines.begin(), "eye", camera.eye);
+        shading.bind(cells.lines.begin(), camera.eye);
         cells.lines.draw(state, camera.viewProjection());
         if (!objects) return;
-        setUniform(objects->lines.begin(), "eye", camera.eye);
+        shading.bind(objects->lines.begin(), camera.eye);
         objects->lines.draw(state, camera.viewProjection());
     }
 };
@@ -147,7 +168,7 @@ Image Renderer::draw(const gpu::StateView& state, const CameraDescription& descr
         const bool solid = settings.style != DrawStyle::Wireframe;
         if (solid) impl.drawShadows(state);
         impl.target.begin();
-        impl.backdrop.draw(camera, solid ? &impl.shadows : nullptr);
+        impl.backdrop.draw(camera, impl.shading, solid);
         if (solid)
             impl.drawSolid(state, camera, settings.style == DrawStyle::Overlay ? 1.f : 0.f);
         else

@@ -16,14 +16,19 @@ class ShadowMap {
     void begin() const;
     /// World to the map's clip space.
     const glm::mat4& lightMatrix() const { return lightMatrix_; }
+    /// Once for a program that includes draw/shadow.glsl.
+    static void prepare(const gl::Program&);
     /// Sets what draw/shadow.glsl reads, for the program in use, and binds the map.
     void bind(const gl::Program&) const;
+    /// Once drawing is done: leaves no sampler object behind.
+    static void unbind();
 
   private:
     int size_;
-    float texel_;  ///< m
+    glm::vec2 extent_;  ///< m, across the map and along its depth
     glm::mat4 lightMatrix_;
     gl::Texture depth_;
+    gl::Sampler plain_;  ///< reads depths instead of comparing with them
     gl::Framebuffer framebuffer_;
 };
 

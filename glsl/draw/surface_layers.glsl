@@ -1,0 +1,12 @@
+// The textures of surfaces (src/render/surface_textures.hpp). A texel: brightness, half of the factor on a material's colour;
+// roughness; slopes along both coordinates, -1 to 1 as 0 to 1.
+#include "draw/surface_layers.h"
+
+// m, what a layer covers before it repeats.
+vec2 layerSize(int layer) {
+    if (layer == SUNDER_LAYER_WOOD) return vec2(0.4, 1.6);
+    if (layer == SUNDER_LAYER_WOOD_SPLIT) return vec2(0.4, 0.8);
+    if (layer == SUNDER_LAYER_WOOD_END) return vec2(0.4, 0.4);
+    if (layer == SUNDER_LAYER_CONCRETE) return vec2(1.2);
+    return vec2(0.5);
+}
