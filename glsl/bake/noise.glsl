@@ -1,14 +1,16 @@
+uniform int side;  // texels along an edge of what is drawn
+
 // Noise that repeats, for textures that are to be laid side by side. `p` counts lattice cells and `period` says after how many
 // of them the noise begins again; `stream` tells noises apart.
 
-// Two numbers in [0, 1) for a lattice cell (PCG, Jarzynski and Olano 2020).
+// Two numbers in [0, 1) for a lattice cell.
 vec2 cellRandom(ivec2 cell, ivec2 period, int stream) {
     cell -= period * ivec2(floor(vec2(cell) / vec2(period)));
-    uvec3 h = uvec3(cell, stream) * 1664525u + 1013904223u;
-    h.x += h.y * h.z; h.y += h.z * h.x; h.z += h.x * h.y;
-    h ^= h >> 16u;
-    h.x += h.y * h.z; h.y += h.z * h.x;
-    return vec2(h.xy >> 8u) / 16777216.0;
+    uint h = uint(cell.x + 4099 * cell.y + 1000003 * stream) * 0x9e3779b1u;
+    h = (h ^ (h >> 15)) * 0x85ebca6bu;
+    h = (h ^ (h >> 13)) * 0xc2b2ae35u;
+    h ^= h >> 16;
+    return vec2(h & 0xffffu, h >> 16) / 65536.0;
 }
 
 // Smooth noise from -1 to 1 (Perlin's, with gradients).
@@ -25,9 +27,10 @@ float noise(vec2 p, ivec2 period, int stream) {
 }
 
 // Octaves of noise, each twice as fine and half as strong, about -1 to 1. `uv`: 0 to 1 over the texture.
+// `side` is never the smaller one; a constant bound would be unrolled, and compiling take twice as long as drawing.
 float octaves(vec2 uv, ivec2 period, int count, int stream) {
     float sum = 0.0, weight = 0.5;
-    for (int i = 0; i < count; ++i, period *= 2, weight *= 0.5) sum += weight * noise(uv * vec2(period), period, stream + i);
+    for (int i = 0; i < min(count, side); ++i, period *= 2, weight *= 0.5) sum += weight * noise(uv * vec2(period), period, stream + i);
     return sum;
 }
 
@@ -43,7 +46,7 @@ Pebble pebbleAt(vec2 uv, ivec2 period, int stream) {
     ivec2 cell = ivec2(floor(p));
     Pebble pebble = Pebble(8.0, 8.0, vec2(0.0));
     float second = 8.0;
-    for (int i = 0; i < 9; ++i) {
+    for (int i = 0; i < min(9, side); ++i) {
         ivec2 c = cell + ivec2(i % 3 - 1, i / 3 - 1);
         vec2 random = cellRandom(c, period, stream);
         float d = length(vec2(c) + 0.15 + 0.7 * random - p);

@@ -1,10 +1,7 @@
-// Draws one layer of the surface textures (draw/surface_layers.glsl): brightness, roughness and height, from which
+// Draws the layer LAYER of the surface textures (draw/surface_layers.glsl): brightness, roughness and height, from which
 // bake/slopes.frag makes the texture.
 #include "draw/surface_layers.glsl"
 #include "bake/noise.glsl"
-
-uniform int layer;
-uniform int side;  // texels along an edge
 
 struct Bake {
     float brightness;  // factor on the material's colour, 0 to 2
@@ -123,12 +120,12 @@ Bake rubber(vec2 uv) {
 
 // Brightness is the clouds' density.
 Bake clouds(vec2 uv) {
-    vec2 warp = 0.05 * vec2(octaves(uv, ivec2(4, 4), 3, 30), octaves(uv, ivec2(4, 4), 3, 33));
-    return Bake(1.0 + 1.3 * octaves(uv + warp, ivec2(4, 4), 7, 1), 0.0, 0.0);
+    vec2 warp = 0.05 * vec2(noise(4.0 * uv, ivec2(4), 30), noise(4.0 * uv, ivec2(4), 31));
+    return Bake(1.0 + 1.3 * octaves(uv + warp, ivec2(4, 4), 6, 1), 0.0, 0.0);
 }
 
 Bake bake(vec2 uv) {
-    switch (layer) {
+    switch (LAYER) {
         case SUNDER_LAYER_WOOD: return wood(uv);
         case SUNDER_LAYER_WOOD_END: return woodEnd(uv);
         case SUNDER_LAYER_WOOD_SPLIT: return woodSplit(uv);

@@ -3,8 +3,6 @@
 #include "draw/sky.glsl"
 #include "draw/surface_layers.glsl"
 
-uniform sampler2DArray surfaces;
-
 uniform vec3 eye;
 uniform float tile;       // m
 uniform float hazeLength;  // m, where two thirds of the ground are haze
@@ -30,8 +28,9 @@ float roomLine(vec2 p) {
 // Brightness of cast concrete at p (m), 1 on average: two scales, so that its repeating is not seen.
 float concrete(vec2 p) {
     vec2 size = layerSize(SUNDER_LAYER_CONCRETE);
-    float fine = texture(surfaces, vec3(p / size, SUNDER_LAYER_CONCRETE)).r;
-    float wide = texture(surfaces, vec3(0.13 * p.yx / size, SUNDER_LAYER_CONCRETE)).r;
+    float layer = float(surfaceLayers[SUNDER_LAYER_CONCRETE]);
+    float fine = texture(surfaces, vec3(p / size, layer)).r;
+    float wide = texture(surfaces, vec3(0.13 * p.yx / size, layer)).r;
     return 4.0 * fine * wide;
 }
 

@@ -1,15 +1,13 @@
 #include "draw/output.glsl"
 #include "draw/sky.glsl"
-#include "draw/surface_layers.h"
-
-uniform sampler2DArray surfaces;
+#include "draw/surface_layers.glsl"
 
 in vec3 direction;
 
 // Share of the sky that clouds cover in the unit direction d: a flat layer of them, lost in the haze towards the horizon.
 float cloudCover(vec3 d) {
     vec2 above = d.xz / max(d.y + 0.06, 0.02);
-    float density = texture(surfaces, vec3(0.11 * above, SUNDER_LAYER_CLOUDS)).r;
+    float density = texture(surfaces, vec3(0.11 * above, surfaceLayers[SUNDER_LAYER_CLOUDS])).r;
     return smoothstep(0.5, 0.85, density) * smoothstep(0.03, 0.22, d.y);
 }
 

@@ -2,8 +2,6 @@
 #include "draw/joints.glsl"
 #include "draw/surface_layers.glsl"
 
-uniform sampler2DArray surfaces;
-
 // How a face lies in the rest frame: seen along its dominant axis, with coordinates u and v (m) on it.
 struct Chart {
     int axis;
@@ -94,13 +92,13 @@ vec3 solid(SurfacePoint s, SurfaceLook look, vec3 view) {
 
     vec2 size = layerSize(finish.layer);
     vec2 uv = chart.uv / size, across = chart.uvAcross / size, up = chart.uvUp / size;
-    float layer = float(max(finish.layer, 0));
+    float layer = float(surfaceLayers[max(finish.layer, 0)]);
     float wide = textureGrad(surfaces, vec3(0.19 * uv.yx + s.seed, layer), 0.19 * across.yx, 0.19 * up.yx).r;
     bool mortared = kind == SUNDER_SURFACE_BRICK;
     // The ragged edge of a brick follows the wide pattern, finely scaled.
     Joint joint = jointAt(look, s.place, footprint, chart.axis, mortared ? 0.012 * (wide - 0.5) : 0.0);
     if (s.boundary > 0.5) joint = Joint(mortared ? 1.0 : 0.0, vec3(0.0));
-    if (mortared && joint.coverage > 0.5) layer = float(SUNDER_LAYER_MORTAR);
+    if (mortared && joint.coverage > 0.5) layer = float(surfaceLayers[SUNDER_LAYER_MORTAR]);
     vec4 texel = textureGrad(surfaces, vec3(uv + random.xy, layer), across, up);
     if (finish.layer < 0) {
         texel = vec4(0.5, 0.6, 0.5, 0.5);

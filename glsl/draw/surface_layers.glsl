@@ -2,6 +2,9 @@
 // roughness; slopes along both coordinates, -1 to 1 as 0 to 1.
 #include "draw/surface_layers.h"
 
+uniform sampler2DArray surfaces;
+uniform int surfaceLayers[SUNDER_SURFACE_LAYERS];  // where each is in the array; only those that the world needs are there
+
 // m, what a layer covers before it repeats.
 vec2 layerSize(int layer) {
     if (layer == SUNDER_LAYER_WOOD) return vec2(0.4, 1.6);

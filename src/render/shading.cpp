@@ -15,7 +15,7 @@ void Shading::prepare(const gl::Program& program) {
 
 void Shading::bind(const gl::Program& program, const glm::vec3& eye) const {
     looks_.bind();
-    textures_.bind();
+    textures_.bind(program);
     shadows_.bind(program);
     setUniform(program, "grounded", grounded_);
     setUniform(program, "eye", eye);

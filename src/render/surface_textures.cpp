@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 #include <string_view>
 
-#include "../../glsl/draw/surface_layers.h"
+#include "gl/context.hpp"
 #include "render/uniforms.hpp"
 
 namespace sunder {
@@ -12,8 +13,10 @@ namespace {
 
 /// Texels along an edge: two millimetres or less for the largest layer, concrete.
 constexpr int kSide = 512;
-/// More of it shows no difference here, and software pays for every sample.
-constexpr float kAnisotropy = 4;
+/// Mipmaps, down to 8 x 8: what is smaller has one colour.
+constexpr int kLevels = 6;
+/// More of it shows no difference here.
+constexpr float kAnisotropy = 8;
 
 std::set<int> layersOf(SurfaceKind kind) {
     switch (kind) {
@@ -40,17 +43,11 @@ std::set<int> layersOf(const World& world) {
     return layers;
 }
 
-void setFiltering(const gl::Texture& texture) {
-    glBindTexture(GL_TEXTURE_2D_ARRAY, texture.id());
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 1000);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_REPEAT);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_REPEAT);
-}
-
-/// An extension that every driver has, but none must have before GL 4.6.
-bool hasAnisotropy() {
+/// Anisotropic filtering is an extension that every driver has, but none must have before GL 4.6.
+/// Mesa's software driver has it too: a picture then takes ten times as long.
+bool anisotropyPays() {
+    const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    if (gl::isSoftware(renderer ? renderer : "")) return false;
     GLint count = 0;
     glGetIntegerv(GL_NUM_EXTENSIONS, &count);
     for (GLint i = 0; i < count; ++i) {
@@ -60,49 +57,81 @@ bool hasAnisotropy() {
     return false;
 }
 
-}  // namespace
+/// Of the 2D array texture that is bound.
+void filterWithMipmaps() {
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, kLevels);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
+    if (!anisotropyPays()) return;
+    constexpr GLenum kAnisotropyName = 0x84FE, kLimitName = 0x84FF;  // not in GL 4.1's header
+    float most = 1;
+    glGetFloatv(kLimitName, &most);
+    glTexParameterf(GL_TEXTURE_2D_ARRAY, kAnisotropyName, std::min(kAnisotropy, most));
+}
 
-SurfaceTextures::SurfaceTextures(const World& world, const gl::VertexArray& noAttributes)
-    : layers_(
-          gl::makeTextureArray(kSide, kSide, SUNDER_SURFACE_LAYERS, GL_RGBA8, "surface textures")) {
-    const gl::Program drawing({.vertex = "bake/whole.vert", .fragment = "bake/surface.frag"});
-    const gl::Program finishing({.vertex = "bake/whole.vert", .fragment = "bake/slopes.frag"});
-    finishing.bindSampler("bakedLayer", kSurfaceUnit);
-    const gl::Texture draft = gl::makeTexture2D(kSide, kSide, GL_RGBA32F, "surface texture draft");
-    const gl::Framebuffer drafted = gl::makeFramebuffer(), finished = gl::makeFramebuffer();
-    glBindFramebuffer(GL_FRAMEBUFFER, drafted.id());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, draft.id(), 0);
-    glBindVertexArray(noAttributes.id());
-    glViewport(0, 0, kSide, kSide);
-    for (const int layer : layersOf(world)) {
-        glBindFramebuffer(GL_FRAMEBUFFER, drafted.id());
+/// Draws layers, each with a program of its own: together they take a driver a second to compile.
+class LayerBake {
+  public:
+    explicit LayerBake(const gl::VertexArray& noAttributes)
+        : finishing_({.vertex = "bake/whole.vert", .fragment = "bake/slopes.frag"}),
+          draft_(gl::makeTexture2D(kSide, kSide, GL_RGBA32F, "draft of a surface texture")),
+          drafted_(gl::makeFramebuffer()),
+          finished_(gl::makeFramebuffer()) {
+        finishing_.bindSampler("bakedLayer", kSurfaceUnit);
+        glBindFramebuffer(GL_FRAMEBUFFER, drafted_.id());
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, draft_.id(), 0);
+        glBindVertexArray(noAttributes.id());
+        glViewport(0, 0, kSide, kSide);
+    }
+
+    void draw(int layer, const gl::Texture& layers, int place) const {
+        const gl::Program drawing({.vertex = "bake/whole.vert",
+                                   .fragment = "bake/surface.frag",
+                                   .defines = {{"LAYER", std::to_string(layer)}}});
+        glBindFramebuffer(GL_FRAMEBUFFER, drafted_.id());
         drawing.use();
-        glUniform1i(drawing.uniform("layer"), layer);
         glUniform1i(drawing.uniform("side"), kSide);
         glDrawArrays(GL_TRIANGLES, 0, 3);
 
-        glBindFramebuffer(GL_FRAMEBUFFER, finished.id());
-        glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, layers_.id(), 0, layer);
-        finishing.use();
-        glUniform1i(finishing.uniform("layer"), layer);
-        gl::bindTexture(kSurfaceUnit, GL_TEXTURE_2D, draft);
+        glBindFramebuffer(GL_FRAMEBUFFER, finished_.id());
+        glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, layers.id(), 0, place);
+        finishing_.use();
+        glUniform1i(finishing_.uniform("layer"), layer);
+        gl::bindTexture(kSurfaceUnit, GL_TEXTURE_2D, draft_);
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
-    setFiltering(layers_);
-    glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
-    if (hasAnisotropy()) {
-        constexpr GLenum kAnisotropyName = 0x84FE, kLimitName = 0x84FF;  // not in GL 4.1's header
-        float most = 1;
-        glGetFloatv(kLimitName, &most);
-        glTexParameterf(GL_TEXTURE_2D_ARRAY, kAnisotropyName, std::min(kAnisotropy, most));
+
+  private:
+    gl::Program finishing_;
+    gl::Texture draft_;
+    gl::Framebuffer drafted_, finished_;
+};
+
+}  // namespace
+
+SurfaceTextures::SurfaceTextures(const World& world, const gl::VertexArray& noAttributes) {
+    const std::set<int> needed = layersOf(world);
+    layers_ = gl::makeTextureArray(kSide, kSide, static_cast<int>(needed.size()), GL_RGBA8,
+                                   "surface textures");
+    const LayerBake bake(noAttributes);
+    int place = 0;
+    for (const int layer : needed) {
+        bake.draw(layer, layers_, place);
+        places_[layer] = place++;
     }
+    gl::bindTexture(kSurfaceUnit, GL_TEXTURE_2D_ARRAY, layers_);
+    filterWithMipmaps();
 }
 
 void SurfaceTextures::prepare(const gl::Program& program) {
     program.bindSampler("surfaces", kSurfaceUnit);
 }
 
-void SurfaceTextures::bind() const {
+void SurfaceTextures::bind(const gl::Program& program) const {
+    glUniform1iv(program.uniform("surfaceLayers"), SUNDER_SURFACE_LAYERS, places_.data());
     gl::bindTexture(kSurfaceUnit, GL_TEXTURE_2D_ARRAY, layers_);
 }
 

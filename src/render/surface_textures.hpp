@@ -1,4 +1,7 @@
 #pragma once
+#include <array>
+
+#include "../../glsl/draw/surface_layers.h"
 #include "core/world.hpp"
 #include "gl/program.hpp"
 
@@ -13,10 +16,11 @@ class SurfaceTextures {
 
     /// Once for a program that samples `surfaces`.
     static void prepare(const gl::Program&);
-    /// Before drawing with such programs.
-    void bind() const;
+    /// For the program in use, before it draws.
+    void bind(const gl::Program&) const;
 
   private:
+    std::array<int, SUNDER_SURFACE_LAYERS> places_{};  ///< of the layers, in the array
     gl::Texture layers_;
 };
 
