@@ -12,10 +12,11 @@ vec4 glass(SurfacePoint s, SurfaceLook look, vec3 view) {
     if (s.inside > 0.5) {
         // A broken edge is looked into along the pane: thick glass, which is dark and green.
         through *= 0.35;
-        tint = look.inside.rgb * look.inside.rgb;
+        tint = look.inside.rgb;
     }
     float sun = sunVisibility(s.position, s.normal, dot(s.normal, SUN_DIRECTION));
-    vec3 scattered = tint * (ambientAt(s.position.y, s.normal) + 0.4 * SUN_LIGHT * sun);
+    // Clear glass swallows what it does not let through; little of it comes back.
+    vec3 scattered = 0.4 * tint * (ambientAt(s.position.y, s.normal) + 0.4 * SUN_LIGHT * sun);
     vec3 light = mirror * mirroredAt(reflect(-view, s.normal)) + max(1.0 - mirror - through, 0.0) * scattered;
     light += SUN_LIGHT * sun * sunHighlight(0.12, 0.04, s.normal, view);
     return vec4(light, 1.0 - through);

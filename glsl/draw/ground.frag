@@ -25,13 +25,10 @@ float roomLine(vec2 p) {
     return 1.0 - smoothstep(0.01, 0.01 + fwidth(p.x) + fwidth(p.y), abs(max(outside.x, outside.y)));
 }
 
-// Brightness of cast concrete at p (m), 1 on average: two scales, so that its repeating is not seen.
+// Brightness of cast concrete at p (m), 1 on average.
 float concrete(vec2 p) {
-    vec2 size = layerSize(SUNDER_LAYER_CONCRETE);
-    float layer = float(surfaceLayers[SUNDER_LAYER_CONCRETE]);
-    float fine = texture(surfaces, vec3(p / size, layer)).r;
-    float wide = texture(surfaces, vec3(0.13 * p.yx / size, layer)).r;
-    return 4.0 * fine * wide;
+    float fine = texture(surfaces, vec3(p / layerSize(SUNDER_LAYER_CONCRETE), surfaceLayers[SUNDER_LAYER_CONCRETE])).r;
+    return 2.0 * fine * mix(1.0, wideVariation(p, dFdx(p), dFdy(p)), 0.22);
 }
 
 // Coverage, 0 to 1, of the joints between tiles, a centimetre wide or less.
@@ -50,7 +47,7 @@ void main() {
 
     float near = 1.0 - smoothstep(0.35, 1.1, max(w.x, w.y));
     float checker = filteredChecker(p, w) * near;
-    vec3 albedo = vec3(0.225, 0.22, 0.205) * concrete(position.xz) * (1.0 + 0.10 * checker) * (1.0 - 0.45 * near * tileJoint(p, w));
+    vec3 albedo = vec3(0.19, 0.185, 0.172) * concrete(position.xz) * (1.0 + 0.10 * checker) * (1.0 - 0.45 * near * tileJoint(p, w));
     albedo *= 1.0 - 0.7 * roomLine(position.xz);
 
     vec3 normal = vec3(0.0, 1.0, 0.0);

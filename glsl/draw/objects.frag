@@ -24,6 +24,7 @@ void main() {
     Reflector iron = Reflector(baseColour * (1.0 - 0.45 * band()), 0.42, 0.10, 1.0);
     // Where it is dark there is less to mirror.
     vec3 ambient = ambientAt(position.y, n);
-    vec3 mirrored = mirroredAt(reflect(-view, n)) * min(2.5 * ambient.g, 1.0);
+    vec3 way = reflect(-view, n);
+    vec3 mirrored = mix(mirroredAt(way), skyLight(way), 0.4) * min(2.5 * ambient.g, 1.0);
     writeColour(vec4(reflected(iron, position, n, n, view, mirrored), 1.0), distance(eye, position));
 }

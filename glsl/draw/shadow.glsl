@@ -2,6 +2,7 @@
 
 uniform sampler2DShadow shadowMap;  // compares with a depth
 uniform sampler2D shadowDepth;      // the same texture, as it is
+uniform sampler2D shadowVeil;       // of glass: share of light that passes; alpha: from what depth on it is missing
 uniform mat4 shadowMatrix;          // world to the map's texture coordinates and depth, 0 to 1
 uniform mat3 shadowNormals;         // the same for normals, any length
 uniform vec2 shadowSize;            // m, across the map and along its depth
@@ -27,6 +28,8 @@ float sunVisibility(vec3 p, vec3 normal, float cosine) {
     vec3 s = (shadowMatrix * vec4(p + normal * texel * (0.6 + 1.2 * sine), 1.0)).xyz;
     if (any(lessThan(s.xy, vec2(0.0))) || any(greaterThan(s.xy, vec2(1.0)))) return 1.0;
     s.z = min(s.z, 1.0);
+    vec4 veil = textureLod(shadowVeil, s.xy, 0.0);
+    float passes = s.z > veil.a + 0.02 / shadowSize.y ? veil.r : 1.0;
     vec3 plane = shadowNormals * normal;
     vec2 slope = -plane.xy / min(plane.z, -0.15 * length(plane.xy) * shadowSize.x / shadowSize.y - 1e-6);
 
@@ -40,7 +43,7 @@ float sunVisibility(vec3 p, vec3 normal, float cosine) {
         blockers += blocks;
         depths += blocks * depth;
     }
-    if (blockers == 0.0) return 1.0;
+    if (blockers == 0.0) return passes;
     if (blockers == float(SEARCH_SAMPLES)) return 0.0;
 
     float distance = (s.z - depths / blockers) * shadowSize.y;
@@ -50,5 +53,5 @@ float sunVisibility(vec3 p, vec3 normal, float cosine) {
         vec2 offset = radius * sqrt((float(i) + 0.5) / float(FILTER_SAMPLES)) * direction;
         lit += texture(shadowMap, vec3(s.xy + offset, s.z + dot(slope, offset)));
     }
-    return lit / float(FILTER_SAMPLES);
+    return passes * lit / float(FILTER_SAMPLES);
 }

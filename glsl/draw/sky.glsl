@@ -8,11 +8,11 @@ const vec3 SUN_LIGHT = vec3(1.75, 1.53, 1.22);
 // Colour of the sky in the unit direction d. Below the horizon it is the haze, slowly darker: what a scene without a floor
 // stands in front of.
 vec3 skyColour(vec3 d) {
-    const vec3 ZENITH = vec3(0.17, 0.30, 0.53);
-    const vec3 MIDDLE = vec3(0.36, 0.50, 0.70);
-    const vec3 HAZE = vec3(0.66, 0.72, 0.78);
+    const vec3 ZENITH = vec3(0.18, 0.31, 0.54);
+    const vec3 MIDDLE = vec3(0.33, 0.49, 0.72);
+    const vec3 HAZE = vec3(0.64, 0.73, 0.82);
     float up = max(d.y, 0.0);
-    vec3 c = mix(HAZE, MIDDLE, 1.0 - exp(-6.0 * up));
+    vec3 c = mix(HAZE, MIDDLE, 1.0 - exp(-8.0 * up));
     c = mix(c, ZENITH, smoothstep(0.05, 0.9, up));
     float sun = max(dot(d, SUN_DIRECTION), 0.0);
     float sideways = 0.5 + 0.5 * dot(normalize(d.xz + vec2(1e-5, 0.0)), normalize(SUN_DIRECTION.xz));
@@ -21,11 +21,12 @@ vec3 skyColour(vec3 d) {
     return c * mix(1.0, 0.55, smoothstep(0.0, 0.9, -d.y));
 }
 
-// What a white surface with the unit normal n throws back of the sky above it and the ground below: skyColour() averaged over
-// the hemisphere with the cosine as weight, fitted to normals that point up, sideways, towards the sun's side and down.
+// What a white surface with the unit normal n throws back of the sky above it and the ground below: skyColour() with
+// a few clouds, averaged over the hemisphere with the cosine as weight, fitted to normals that point up, towards the sun's side,
+// away from it, and down.
 const vec3 GROUND_LIGHT = vec3(0.25, 0.225, 0.19);
 vec3 skyLight(vec3 n) {
-    const vec3 UP = vec3(0.267, 0.388, 0.593), SIDEWAYS = vec3(0.189, 0.244, 0.330), SUNWARDS = vec3(0.021, 0.016, 0.008);
+    const vec3 UP = vec3(0.361, 0.469, 0.649), SIDEWAYS = vec3(0.216, 0.271, 0.354), SUNWARDS = vec3(0.023, 0.017, 0.010);
     vec3 sky = SIDEWAYS + SUNWARDS * dot(n.xz, normalize(SUN_DIRECTION.xz)) + n.y * (0.5 * UP + n.y * (0.5 * UP - SIDEWAYS));
     return sky + GROUND_LIGHT * (0.5 - 0.5 * n.y);
 }

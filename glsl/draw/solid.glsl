@@ -64,7 +64,7 @@ Finish finishOf(int kind, SurfaceLook look, SurfacePoint s, int axis) {
         f.warmth = 0.3;
         f.stain = 0.25;
     } else if (kind == SUNDER_SURFACE_BRICK) {
-        f.layer = boundary ? SUNDER_LAYER_MORTAR : inside ? SUNDER_LAYER_BRICK_SPLIT : SUNDER_LAYER_BRICK;
+        f.layer = inside ? SUNDER_LAYER_BRICK_SPLIT : SUNDER_LAYER_BRICK;
         f.stain = 0.35;
     } else if (kind == SUNDER_SURFACE_CONCRETE) {
         f.layer = inside ? SUNDER_LAYER_CONCRETE_SPLIT : SUNDER_LAYER_CONCRETE;
@@ -78,7 +78,7 @@ Finish finishOf(int kind, SurfaceLook look, SurfacePoint s, int axis) {
     return f;
 }
 
-const vec3 MORTAR = vec3(0.43, 0.405, 0.37);  // linear RGB
+const vec3 MORTAR = vec3(0.37, 0.35, 0.32);  // linear RGB
 
 vec3 solid(SurfacePoint s, SurfaceLook look, vec3 view) {
     Chart chart = chartOf(s);
@@ -93,20 +93,20 @@ vec3 solid(SurfacePoint s, SurfaceLook look, vec3 view) {
     vec2 size = layerSize(finish.layer);
     vec2 uv = chart.uv / size, across = chart.uvAcross / size, up = chart.uvUp / size;
     float layer = float(surfaceLayers[max(finish.layer, 0)]);
-    float wide = textureGrad(surfaces, vec3(0.19 * uv.yx + s.seed, layer), 0.19 * across.yx, 0.19 * up.yx).r;
+    float wide = wideVariation(chart.uv + 5.0 * s.seed, chart.uvAcross, chart.uvUp);
     bool mortared = kind == SUNDER_SURFACE_BRICK;
-    // The ragged edge of a brick follows the wide pattern, finely scaled.
-    Joint joint = jointAt(look, s.place, footprint, chart.axis, mortared ? 0.012 * (wide - 0.5) : 0.0);
-    if (s.boundary > 0.5) joint = Joint(mortared ? 1.0 : 0.0, vec3(0.0));
+    // The same pattern, finer: the ragged edges of bricks, and what mortar stays on a bared one.
+    float ragged = wideVariation(9.0 * chart.uv.yx, 9.0 * chart.uvAcross.yx, 9.0 * chart.uvUp.yx) - 1.0;
+    Joint joint = jointAt(look, s.place, footprint, chart.axis, mortared ? 0.005 * ragged : 0.0);
+    if (s.boundary > 0.5) joint = Joint(mortared ? smoothstep(-0.3, -0.05, ragged) : 0.0, vec3(0.0));
     if (mortared && joint.coverage > 0.5) layer = float(surfaceLayers[SUNDER_LAYER_MORTAR]);
     vec4 texel = textureGrad(surfaces, vec3(uv + random.xy, layer), across, up);
     if (finish.layer < 0) {
         texel = vec4(0.5, 0.6, 0.5, 0.5);
-        wide = 0.5;
     }
 
     float brightness = 1.0 + finish.contrast * (2.0 * texel.r - 1.0);
-    brightness *= 1.0 + finish.stain * (2.0 * wide - 1.0);
+    brightness *= 1.0 + finish.stain * (wide - 1.0);
     vec3 colour = finish.colour;
     if (int(look.clusters.w) != SUNDER_CLUSTERS_NONE) {
         float spread = kind == SUNDER_SURFACE_BRICK ? 0.5 : 0.3;

@@ -8,5 +8,5 @@
 #define SUNDER_LAYER_CONCRETE 6
 #define SUNDER_LAYER_CONCRETE_SPLIT 7  // aggregate
 #define SUNDER_LAYER_RUBBER 8
-#define SUNDER_LAYER_CLOUDS 9  // for the sky
+#define SUNDER_LAYER_CLOUDS 9  // for the sky, and for slow variation
 #define SUNDER_SURFACE_LAYERS 10

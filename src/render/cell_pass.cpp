@@ -19,8 +19,8 @@ gl::ProgramDescription describe(CellPass::Output output) {
             description.fragment = "draw/wire.frag";
             description.defines = {{"LINES", "1"}};
             break;
-        case CellPass::Output::TransparentDepth:
-            description.fragment = "draw/stipple.frag";
+        case CellPass::Output::Veil:
+            description.fragment = "draw/veil.frag";
             description.defines = {{"DEPTH_ONLY", "1"}, {"TRANSPARENT", "1"}};
             break;
         case CellPass::Output::Transparent:

@@ -13,9 +13,9 @@ class CellPass {
     enum class Output {
         Depth,  ///< for the shadow map, of opaque materials
         Shaded,
-        Lines,             ///< one colour, for GL_LINE polygons
-        TransparentDepth,  ///< for the shadow map, a weak shadow
-        Transparent,       ///< inside Transparency::draw()
+        Lines,        ///< one colour, for GL_LINE polygons
+        Veil,         ///< for the shadow map, of transparent materials
+        Transparent,  ///< inside Transparency::draw()
     };
     CellPass(Output, const gpu::WorldBuffers&, const gl::VertexArray& noAttributes);
 

@@ -65,11 +65,11 @@ struct Passes {
 
 /// What draws materials that let light through.
 struct Glass {
-    CellPass depth, shaded;
+    CellPass veil, shaded;
     Transparency layers;
 
     Glass(const gpu::WorldBuffers& buffers, const gl::VertexArray& noAttributes)
-        : depth(CellPass::Output::TransparentDepth, buffers, noAttributes),
+        : veil(CellPass::Output::Veil, buffers, noAttributes),
           shaded(CellPass::Output::Transparent, buffers, noAttributes),
           layers(noAttributes) {}
 };
@@ -104,13 +104,15 @@ struct Renderer::Impl {
         shading.looks().bind();
         cells.depth.begin();
         cells.depth.draw(state, shadows.lightMatrix());
-        if (glass) {
-            glass->depth.begin();
-            glass->depth.draw(state, shadows.lightMatrix());
-        }
         if (objects) {
             objects->depth.begin();
             objects->depth.draw(state, shadows.lightMatrix());
+        }
+        if (glass) {
+            shadows.beginVeil();
+            glass->veil.begin();
+            glass->veil.draw(state, shadows.lightMatrix());
+            ShadowMap::endVeil();
         }
         glDisable(GL_DEPTH_CLAMP);
     }

@@ -5,7 +5,10 @@
 namespace sunder {
 
 Shading::Shading(const World& world, const SceneBounds& bounds, const gl::VertexArray& noAttributes)
-    : looks_(world), textures_(world, noAttributes), shadows_(bounds), grounded_(bounds.ground) {}
+    : looks_(world),
+      textures_(world, noAttributes),
+      shadows_(bounds, looks_.anyTransparent()),
+      grounded_(bounds.ground) {}
 
 void Shading::prepare(const gl::Program& program) {
     LookTable::prepare(program);

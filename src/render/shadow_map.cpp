@@ -19,9 +19,15 @@ int mapSize(float width) {
     return width < 12 ? 2048 : 4096;
 }
 
+/// Of the bound framebuffer: nothing veils anything.
+void clearVeil() {
+    constexpr float kClear[] = {1, 1, 1, 1};
+    glClearBufferfv(GL_COLOR, 0, kClear);
+}
+
 }  // namespace
 
-ShadowMap::ShadowMap(const SceneBounds& bounds) {
+ShadowMap::ShadowMap(const SceneBounds& bounds, bool veiled) {
     const glm::vec3 centre = 0.5f * (bounds.lowAir + bounds.highAir);
     const glm::mat4 view = glm::lookAt(centre + kSunDirection, centre, glm::vec3(0, 1, 0));
     glm::vec3 low(std::numeric_limits<float>::max()), high = -low;
@@ -62,6 +68,16 @@ ShadowMap::ShadowMap(const SceneBounds& bounds) {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
     glDrawBuffer(GL_NONE);
     glReadBuffer(GL_NONE);
+
+    veilSize_ = veiled ? size_ / 2 : 1;
+    veil_ = gl::makeTexture2D(veilSize_, veilSize_, GL_RGBA16F, "shadow map of glass");
+    glBindTexture(GL_TEXTURE_2D, veil_.id());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    veilFramebuffer_ = gl::makeFramebuffer();
+    glBindFramebuffer(GL_FRAMEBUFFER, veilFramebuffer_.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, veil_.id(), 0);
+    clearVeil();
 }
 
 void ShadowMap::begin() const {
@@ -70,9 +86,28 @@ void ShadowMap::begin() const {
     glClear(GL_DEPTH_BUFFER_BIT);
 }
 
+void ShadowMap::beginVeil() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, veilFramebuffer_.id());
+    glViewport(0, 0, veilSize_, veilSize_);
+    clearVeil();
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);  // a pane counts once
+    glEnable(GL_BLEND);
+    glBlendEquationSeparate(GL_FUNC_ADD, GL_MIN);
+    glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+}
+
+void ShadowMap::endVeil() {
+    glBlendEquation(GL_FUNC_ADD);
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_DEPTH_TEST);
+}
+
 void ShadowMap::prepare(const gl::Program& program) {
     program.bindSampler("shadowMap", kShadowUnit);
     program.bindSampler("shadowDepth", kShadowDepthUnit);
+    program.bindSampler("shadowVeil", kShadowVeilUnit);
 }
 
 void ShadowMap::unbind() {
@@ -89,6 +124,7 @@ void ShadowMap::bind(const gl::Program& program) const {
     gl::bindTexture(kShadowUnit, GL_TEXTURE_2D, depth_);
     gl::bindTexture(kShadowDepthUnit, GL_TEXTURE_2D, depth_);
     glBindSampler(kShadowDepthUnit, plain_.id());
+    gl::bindTexture(kShadowVeilUnit, GL_TEXTURE_2D, veil_);
 }
 
 }  // namespace sunder

@@ -25,6 +25,7 @@ enum TextureUnit {
     kObjectUnit,
     kPlaceUnit,
     kShadowDepthUnit,
+    kShadowVeilUnit,
     kSurfaceUnit,
     kLightSumUnit,
     kTransmissionUnit
