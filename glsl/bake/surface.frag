@@ -67,9 +67,10 @@ Bake brick(vec2 uv) {
     float blotch = octaves(uv, ivec2(5, 5), 4, 1);
     float sand = noise(uv * 160.0, ivec2(160), 6);
     Pebble pit = pebbleAt(uv, ivec2(26), 20);
-    float pits = pit.random.x < 0.3 ? smoothstep(0.30, 0.12, pit.distance) : 0.0;
+    float radius = 0.1 + 0.3 * pit.random.y * pit.random.y;
+    float pits = pit.random.x < 0.2 ? smoothstep(radius, 0.4 * radius, pit.distance) : 0.0;
     float grain = octaves(uv, ivec2(40, 40), 3, 30);
-    return Bake(1.0 + 0.55 * blotch + 0.10 * sand + 0.28 * grain - 0.30 * pits, 0.78 + 0.1 * sand,
+    return Bake(1.0 + 0.65 * blotch + 0.10 * sand + 0.28 * grain - 0.30 * pits, 0.78 + 0.1 * sand,
                 1e-3 * (0.9 * grain + 0.22 * sand - 1.6 * pits + 1.2 * blotch));
 }
 
@@ -106,8 +107,8 @@ Bake concreteSplit(vec2 uv) {
     float inLarge = large.random.x < 0.72 ? smoothstep(0.0, 0.08, min(large.edge, 0.5 - large.distance)) : 0.0;
     float inSmall = small.random.x < 0.6 ? (1.0 - inLarge) * smoothstep(0.0, 0.12, min(small.edge, 0.42 - small.distance)) : 0.0;
     float brightness = 1.02 + 0.30 * cement;
-    brightness = mix(brightness, 0.55 + 0.95 * large.random.y + 0.12 * cement, inLarge);
-    brightness = mix(brightness, 0.65 + 0.75 * small.random.y, inSmall);
+    brightness = mix(brightness, 0.40 + 1.10 * large.random.y + 0.12 * cement, inLarge);
+    brightness = mix(brightness, 0.50 + 0.95 * small.random.y, inSmall);
     float height = 3.0 * cement + inLarge * (4.0 - 9.0 * large.distance * large.distance) + 1.2 * inSmall;
     return Bake(brightness, 0.92 - 0.22 * inLarge, 1e-3 * height);
 }
