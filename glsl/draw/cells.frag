@@ -1,17 +1,20 @@
-#include "draw/light.glsl"
 #include "draw/lines.glsl"
+#include "draw/output.glsl"
+#include "draw/surface.glsl"
 
+uniform vec3 eye;
 uniform float wire;  // strength of the triangles' edges, 0 to 1
 
 in vec3 position;
+in vec3 place;
 in vec2 facePosition;
 flat in vec3 normal;
-flat in vec3 baseColour;
+flat in uint surfaceLaw;
+flat in float seed;
 flat in float insideFace;
+flat in float boundaryFace;
 flat in uint cracks;
 flat in float diagonalSlope;
-
-out vec4 colour;
 
 float crackCoverage() {
     const float HALF_WIDTH = 0.8;  // px; the neighbour beyond the edge draws the other half
@@ -31,13 +34,16 @@ float wireCoverage() {
 }
 
 void main() {
-    vec3 light = lightAt(position, normalize(normal));
-
-    // Freshly bared material is paler than a weathered outside.
-    vec3 albedo = mix(baseColour, baseColour * 1.15 + 0.03, insideFace);
+    vec4 lit = shade(SurfacePoint(position, normalize(normal), place, surfaceLaw, insideFace, boundaryFace, seed), eye);
     float strength = lineStrength(facePosition);
-    vec3 lit = albedo * light;
-    lit *= 1.0 - 0.55 * wire * strength * wireCoverage();
-    lit *= 1.0 - 0.90 * strength * crackCoverage();
-    colour = vec4(lit, 1.0);
+    float lines = 0.55 * wire * strength * wireCoverage();
+    float crack = 0.90 * strength * crackCoverage();
+#ifdef TRANSPARENT
+    // A crack in glass is white: it scatters the light that it does not let through.
+    lit = mix(lit, vec4(skyLight(normalize(normal)), 1.0), 0.8 * crack);
+    lit = mix(lit, vec4(0.0, 0.0, 0.0, 1.0), lines);
+#else
+    lit.rgb *= (1.0 - lines) * (1.0 - crack);
+#endif
+    writeColour(lit, distance(eye, position));
 }

@@ -1,13 +1,12 @@
 // Makes a visible face of a cell from the node buffer (thesis, figure 6.6): two triangles, split along the diagonal that the
 // cell's tetrahedra have there, so that the twelve triangles of a hull hold every edge of its tetrahedra.
-#include "shared/layout.h"
+#include "draw/clusters.glsl"
+#include "draw/looks.glsl"
 
 layout(points) in;
 layout(triangle_strip, max_vertices = 4) out;
 
-layout(std140) uniform ElementLaws {
-    ElementLaw laws[SUNDER_MAX_ELEMENT_LAWS];
-};
+uniform samplerBuffer bodies;
 uniform samplerBuffer displacements;
 uniform ivec2 displacementStrides;  // texels from one cell's to the next, from one corner's to the next
 uniform samplerBuffer rest;
@@ -16,16 +15,23 @@ uniform mat4 viewProjection;
 flat in int cell[];
 flat in int face[];
 flat in uint law[];
+flat in ivec4 lattice[];
 flat in uint parity_[];
 flat in uint inside[];
 flat in uint crackedEdges[];
 
 #ifndef DEPTH_ONLY
 out vec3 position;             // m, world
+out vec3 place;                // m, at rest, from the body's low corner
 out vec2 facePosition;         // 0 to 1 along the face's two sides
 flat out vec3 normal;
+flat out uint surfaceLaw;
+#ifdef LINES
 flat out vec3 baseColour;      // linear RGB
+#endif
+flat out float seed;           // 0 to 1, of the body
 flat out float insideFace;     // 1 on a face that a broken bond has bared
+flat out float boundaryFace;   // 1 where that bond held two bricks or planks together
 flat out uint cracks;          // bits 0 to 3: a crack runs along facePosition x = 0, x = 1, y = 0, y = 1
 flat out float diagonalSlope;  // +1: the diagonal is x = y; -1: it is x + y = 1
 #endif
@@ -36,23 +42,30 @@ vec3 cornerPosition(int corner) {
 }
 
 #ifndef DEPTH_ONLY
-// A number in [0, 1) for each cell: keeps a large wall from looking like cardboard.
-float cellNoise(uint c) {
-    c = (c ^ (c >> 16)) * 0x45d9f3bu;
-    c = (c ^ (c >> 16)) * 0x45d9f3bu;
-    return float((c ^ (c >> 16)) & 0xffffu) / 65536.0;
+bool onBoundary(vec3 cellSize) {
+    if (inside[0] == 0u) return false;
+    vec3 centre = (vec3(lattice[0].xyz) + 0.5) * cellSize, beyond = centre;
+    beyond[face[0] >> 1] += (face[0] & 1) == 1 ? cellSize[face[0] >> 1] : -cellSize[face[0] >> 1];
+    return clustersPart(looks[law[0]], centre, beyond);
 }
 #endif
 
 // EmitVertex leaves all outputs undefined, so every vertex sets every one.
-void emit(vec3 p, vec3 faceNormal, vec2 place, bool rising) {
+void emit(int corner, vec3 p, vec3 faceNormal, vec2 onFace, bool rising) {
     gl_Position = viewProjection * vec4(p, 1.0);
 #ifndef DEPTH_ONLY
+    vec3 cellSize = texelFetch(bodies, SUNDER_BODY_TEXELS * lattice[0].w + 1).xyz;
     position = p;
-    facePosition = place;
+    place = cellSize * vec3(lattice[0].xyz + (ivec3(corner) >> ivec3(0, 1, 2) & 1));
+    facePosition = onFace;
     normal = faceNormal;
-    baseColour = laws[law[0]].colour.rgb * (0.975 + 0.05 * cellNoise(uint(cell[0])));
+    surfaceLaw = law[0];
+#ifdef LINES
+    baseColour = looks[law[0]].outside.rgb;
+#endif
+    seed = fract(0.618034 * float(lattice[0].w));
     insideFace = float(inside[0]);
+    boundaryFace = onBoundary(cellSize) ? 1.0 : 0.0;
     cracks = crackedEdges[0];
     diagonalSlope = rising ? 1.0 : -1.0;
 #endif
@@ -81,9 +94,9 @@ void main() {
     // A triangle takes its flat values from its last vertex.
     vec3 first = cross(b - a, c - a), second = cross(b - c, d - c);
 
-    emit(a, first, vec2(x.x, y.x), rising);
-    emit(b, first, vec2(x.y, y.y), rising);
-    emit(c, first, vec2(x.z, y.z), rising);
-    emit(d, second, vec2(x.w, y.w), rising);
+    emit(base | corners.x, a, first, vec2(x.x, y.x), rising);
+    emit(base | corners.y, b, first, vec2(x.y, y.y), rising);
+    emit(base | corners.z, c, first, vec2(x.z, y.z), rising);
+    emit(base | corners.w, d, second, vec2(x.w, y.w), rising);
     EndPrimitive();
 }

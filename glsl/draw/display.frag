@@ -1,22 +1,18 @@
-#include "shared/layout.h"
-#include "draw/light.glsl"
+#include "draw/output.glsl"
+#include "draw/surface.glsl"
 
-layout(std140) uniform ElementLaws {
-    ElementLaw laws[SUNDER_MAX_ELEMENT_LAWS];
-};
-uniform usamplerBuffer cells;
+uniform vec3 eye;
 
 in vec3 position;
 in vec3 place;
-flat in int cell;
-flat in float inside;
-flat in float boundary;
-
-out vec4 colour;
+flat in uint surfaceLaw;
+flat in float seed;
+flat in float insideFace;
+flat in float boundaryFace;
 
 void main() {
+    // Flat: torn faces are. Towards the eye, for triangles that are seen from the side.
     vec3 normal = normalize(cross(dFdx(position), dFdy(position)));
-    vec3 albedo = laws[texelFetch(cells, cell).r & SUNDER_CELL_LAW].colour.rgb;
-    albedo = mix(albedo, albedo * 1.3 + 0.05, inside);
-    colour = vec4(albedo * lightAt(position, normal), 1.0);
+    vec4 lit = shade(SurfacePoint(position, normal, place, surfaceLaw, insideFace, boundaryFace, seed), eye);
+    writeColour(lit, distance(eye, position));
 }

@@ -1,4 +1,5 @@
 #include "draw/light.glsl"
+#include "draw/output.glsl"
 
 uniform vec3 eye;
 
@@ -7,8 +8,6 @@ in vec3 normal;
 in vec3 direction;
 flat in float seams;
 flat in vec3 baseColour;
-
-out vec4 colour;
 
 // Two crossing bands, 0 to 1: where they are shows how a round object is turned.
 float band() {
@@ -19,17 +18,13 @@ float band() {
     return seams * max(inside.x, inside.y);
 }
 
-// What smooth iron mirrors of its surroundings.
-vec3 mirrored(vec3 d) {
-    return mix(GROUND_LIGHT, skyColour(d), smoothstep(-0.15, 0.15, d.y));
-}
-
 void main() {
     vec3 n = normalize(normal);
-    vec3 view = normalize(position - eye);
-    vec3 light = lightAt(position, n);
-    float gloss = 0.04 + 0.30 * pow(clamp(1.0 + dot(view, n), 0.0, 1.0), 5.0);
+    vec3 view = normalize(eye - position);
+    Reflector iron = Reflector(baseColour * (1.0 - 0.45 * band()), 0.42, 0.10, 1.0);
     // Where it is dark there is less to mirror.
-    vec3 gleam = gloss * mirrored(reflect(view, n)) * min(light.g, 1.0);
-    colour = vec4(baseColour * (1.0 - 0.45 * band()) * light + gleam, 1.0);
+    vec3 ambient = ambientAt(position.y, n);
+    vec3 way = reflect(-view, n);
+    vec3 mirrored = mix(mirroredAt(way), skyLight(way), 0.4) * min(2.5 * ambient.g, 1.0);
+    writeColour(vec4(reflected(iron, position, n, n, view, mirrored), 1.0), distance(eye, position));
 }

@@ -1,22 +1,57 @@
-// Sunlight that reaches a point, from the shadow map.
+// Sunlight that reaches a point: percentage-closer soft shadows (Fernando 2005) from the shadow map.
 
-uniform sampler2DShadow shadowMap;
-uniform mat4 shadowMatrix;  // world to the map's texture coordinates and depth, 0 to 1
-uniform float shadowTexel;  // m, one texel of the map on a plane that faces the sun
+uniform sampler2DShadow shadowMap;  // compares with a depth
+uniform sampler2D shadowDepth;      // the same texture, as it is
+uniform sampler2D shadowVeil;       // of glass: share of light that passes; alpha: from what depth on it is missing
+uniform mat4 shadowMatrix;          // world to the map's texture coordinates and depth, 0 to 1
+uniform mat3 shadowNormals;         // the same for normals, any length
+uniform vec2 shadowSize;            // m, across the map and along its depth
+
+// Half the sun's width in the sky, as a tangent: four times the true one, so that a wall's shadow is visibly soft.
+const float SUN_TANGENT = 0.018;
+const float MOST_BLUR = 0.07;  // m, radius
+const mat2 GOLDEN_TURN = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);  // cos and sin of π(3 − √5)
+
+// Turns the samples' pattern from pixel to pixel, so that its gaps become grain: interleaved gradient noise (Jimenez 2014).
+vec2 patternTurn() {
+    float turn = 6.2831853 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+    return vec2(cos(turn), sin(turn));
+}
 
 // 1 in the light, 0 in the shade. `normal` is the surface's, unit length; `cosine` is its cosine to the sun.
-// The point is moved off its surface by what the filter can reach below it on a slope: enough against acne, and at a few
-// texels too little to detach a shadow from what casts it.
+// Samples are compared with the depth of the surface's own plane where they lie, so that a wide kernel finds no acne and the
+// point hardly has to leave its surface: shadows stay attached to what casts them.
 float sunVisibility(vec3 p, vec3 normal, float cosine) {
+    const int SEARCH_SAMPLES = 12, FILTER_SAMPLES = 20;
+    float texel = shadowSize.x / float(textureSize(shadowDepth, 0).x);
     float sine = sqrt(max(0.0, 1.0 - cosine * cosine));
-    p += normal * shadowTexel * (0.7 + 2.6 * sine);
-    vec3 s = (shadowMatrix * vec4(p, 1.0)).xyz;
+    vec3 s = (shadowMatrix * vec4(p + normal * texel * (0.6 + 1.2 * sine), 1.0)).xyz;
     if (any(lessThan(s.xy, vec2(0.0))) || any(greaterThan(s.xy, vec2(1.0)))) return 1.0;
     s.z = min(s.z, 1.0);
-    vec2 texel = 1.0 / vec2(textureSize(shadowMap, 0));
+    vec4 veil = textureLod(shadowVeil, s.xy, 0.0);
+    float passes = s.z > veil.a + 0.02 / shadowSize.y ? veil.r : 1.0;
+    vec3 plane = shadowNormals * normal;
+    vec2 slope = -plane.xy / min(plane.z, -0.15 * length(plane.xy) * shadowSize.x / shadowSize.y - 1e-6);
+
+    float search = MOST_BLUR / shadowSize.x;
+    vec2 direction = patternTurn();
+    float blockers = 0.0, depths = 0.0;
+    for (int i = 0; i < SEARCH_SAMPLES; ++i, direction = GOLDEN_TURN * direction) {
+        vec2 offset = search * sqrt(float(i) / float(SEARCH_SAMPLES)) * direction;
+        float depth = textureLod(shadowDepth, s.xy + offset, 0.0).r;
+        float blocks = step(depth, s.z + dot(slope, offset));
+        blockers += blocks;
+        depths += blocks * depth;
+    }
+    if (blockers == 0.0) return passes;
+    if (blockers == float(SEARCH_SAMPLES)) return 0.0;
+
+    float distance = (s.z - depths / blockers) * shadowSize.y;
+    float radius = clamp(SUN_TANGENT * distance, 1.5 * texel, MOST_BLUR) / shadowSize.x;
     float lit = 0.0;
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x)
-            lit += texture(shadowMap, vec3(s.xy + 1.25 * vec2(x, y) * texel, s.z));
-    return lit / 9.0;
+    for (int i = 0; i < FILTER_SAMPLES; ++i, direction = GOLDEN_TURN * direction) {
+        vec2 offset = radius * sqrt((float(i) + 0.5) / float(FILTER_SAMPLES)) * direction;
+        lit += texture(shadowMap, vec3(s.xy + offset, s.z + dot(slope, offset)));
+    }
+    return passes * lit / float(FILTER_SAMPLES);
 }

@@ -3,7 +3,7 @@ uniform vec3 eye;
 
 in vec3 position;
 flat in vec3 normal;
-flat in vec3 baseColour;
+flat in vec3 baseColour;  // linear RGB
 
 out vec4 colour;
 

@@ -11,7 +11,7 @@ struct ElementStress {
 };
 
 ElementStress elementStress(ElementLaw law, mat3 F, mat3 rate, float h) {
-    float viscosity = law.colour.w;
+    float viscosity = law.viscosity.x;
     bool hot = determinant(F) < (viscosity > 0.0 ? 0.5 : 0.3) || dot(F[0], F[0]) + dot(F[1], F[1]) + dot(F[2], F[2]) > 6.0;
     mat3 G = F + (hot ? kHotDamping : kDamping) * h * rate;
     mat3 R = polarRotation(G);

@@ -25,8 +25,30 @@ struct ElementLaw {
     vec4 cellSize;   // xyz: m; w: volume of a cell, m³
     vec4 elasticity; // λ, μ (Pa); law; S = √(E/E_eff)
     vec4 fracture;   // maxStress (Pa); 1/τ (1/s); shear weight β; internal friction μ
-    vec4 colour;     // linear RGB; w: viscosity of strongly deformed elements, Pa·s
+    vec4 viscosity;  // x: of strongly deformed elements, Pa·s; yzw unused
 };
+
+// What a row's material looks like: the same row of the uniform block SurfaceLooks (std140; src/render/look_table.hpp).
+struct SurfaceLook {
+    vec4 outside;   // linear RGB; w unused
+    vec4 inside;    // linear RGB of what a break bares; w unused
+    vec4 clusters;  // xyz: size, m, 0: through the whole body; w: SUNDER_CLUSTERS_…
+    vec4 finish;    // SUNDER_SURFACE_…; joint width, m; transparency, 0 to 1; w unused
+};
+
+// Numbered as SurfaceKind in src/core/material.hpp.
+#define SUNDER_SURFACE_PLAIN 0
+#define SUNDER_SURFACE_WOOD 1
+#define SUNDER_SURFACE_BRICK 2
+#define SUNDER_SURFACE_CONCRETE 3
+#define SUNDER_SURFACE_RUBBER 4
+#define SUNDER_SURFACE_GLASS 5
+
+// Clusters with boundaries that can be seen.
+#define SUNDER_CLUSTERS_NONE 0
+#define SUNDER_CLUSTERS_RUNNING_BOND 1
+#define SUNDER_CLUSTERS_PLANKS 2
+#define SUNDER_CLUSTERS_BOARDS 3  // planks glued to one another: to be seen, but nothing comes apart there
 
 // One body: four texels of the texture buffer `bodies` (RGBA32F; integers are exact below 2^24).
 struct BodyRecord {

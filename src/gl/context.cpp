@@ -25,14 +25,14 @@ int limit(GLenum name) {
     return value;
 }
 
+}  // namespace
+
 bool isSoftware(const std::string& renderer) {
     const char* const names[] = {
         "llvmpipe", "softpipe", "swrast", "SwiftShader", "Software Rasterizer", "GDI Generic"};
     return std::any_of(std::begin(names), std::end(names),
                        [&](const char* name) { return renderer.find(name) != std::string::npos; });
 }
-
-}  // namespace
 
 Context::~Context() = default;
 

@@ -24,6 +24,9 @@ struct DeviceInfo {
     std::vector<std::string> skipped;
 };
 
+/// Whether a driver that calls itself `renderer` (GL_RENDERER) draws on the CPU.
+bool isSoftware(const std::string& renderer);
+
 /// A GL 4.1 core context, made current on the calling thread while it lives. One at a time.
 ///
 /// A debug callback collects what the driver reports; see takeErrors(). There is no surface: bind a

@@ -118,6 +118,9 @@ void deleteProgram(GLuint id) {
 void deleteTransformFeedback(GLuint id) {
     glDeleteTransformFeedbacks(1, &id);
 }
+void deleteSampler(GLuint id) {
+    glDeleteSamplers(1, &id);
+}
 
 // The COPY targets: no draw state, nor an element array in a vertex array object, depends on them.
 Buffer::Buffer(std::size_t bytes, const void* data, GLenum usage, const char* what)
@@ -173,6 +176,12 @@ TransformFeedback makeTransformFeedback() {
     GLuint id = 0;
     glGenTransformFeedbacks(1, &id);
     return TransformFeedback(id);
+}
+
+Sampler makeSampler() {
+    GLuint id = 0;
+    glGenSamplers(1, &id);
+    return Sampler(id);
 }
 
 Texture makeBufferTexture(const Buffer& buffer, GLenum format, const char* what) {

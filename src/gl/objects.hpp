@@ -40,10 +40,12 @@ void deleteFramebuffer(GLuint);
 void deleteVertexArray(GLuint);
 void deleteProgram(GLuint);
 void deleteTransformFeedback(GLuint);
+void deleteSampler(GLuint);
 
 using Framebuffer = Handle<deleteFramebuffer>;
 using VertexArray = Handle<deleteVertexArray>;
 using Texture = Handle<deleteTexture>;
+using Sampler = Handle<deleteSampler>;
 /// Remembers how much was captured, so that it can be drawn without asking.
 using TransformFeedback = Handle<deleteTransformFeedback>;
 
@@ -80,6 +82,7 @@ Buffer makeBuffer(std::span<const T> data, GLenum usage, const char* what) {
 Framebuffer makeFramebuffer();
 VertexArray makeVertexArray();
 TransformFeedback makeTransformFeedback();
+Sampler makeSampler();
 /// A view of `buffer` as texels of `format` (GL_RGBA32F, …). Throws InputError, naming `what`, when
 /// the device's GL_MAX_TEXTURE_BUFFER_SIZE is smaller. Leaves the active unit's buffer texture
 /// unbound.

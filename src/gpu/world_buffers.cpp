@@ -106,7 +106,7 @@ gl::Buffer makeLaws(const World& world) {
         laws[i].fracture = toVec4({std::min(law.maxStress, double{SUNDER_UNBREAKABLE}),
                                    1 / law.damageTime, material.shearWeight},
                                   material.internalFriction);
-        laws[i].colour = toVec4(material.colour, law.hotViscosity);
+        laws[i].viscosity = toVec4({law.hotViscosity, 0, 0}, 0);
     }
     return gl::makeBuffer<ElementLaw>(laws, GL_STATIC_DRAW, "materials");
 }

@@ -21,33 +21,34 @@ Backdrop::Backdrop(const SceneBounds& bounds, const gl::VertexArray& noAttribute
       noAttributes_(noAttributes),
       sky_({.vertex = "draw/sky.vert", .fragment = "draw/sky.frag"}),
       ground_({.vertex = "draw/ground.vert", .fragment = "draw/ground.frag"}) {
-    ground_.bindSampler("shadowMap", kShadowUnit);
+    Shading::prepare(sky_);
+    Shading::prepare(ground_);
 }
 
-void Backdrop::draw(const Camera& camera, const ShadowMap* shadows) const {
+void Backdrop::draw(const Camera& camera, const Shading& shading, bool shadowed) const {
     glBindVertexArray(noAttributes_.id());
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
     sky_.use();
+    shading.bind(sky_, camera.eye);
     // Without the view's translation: a direction far from the origin would lose its digits.
     setUniform(sky_, "inverseViewProjection",
                glm::inverse(camera.projection * glm::mat4(glm::mat3(camera.view))));
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glEnable(GL_DEPTH_TEST);
-    if (bounds_.ground) drawGround(camera, shadows);
+    if (bounds_.ground) drawGround(camera, shading, shadowed);
 }
 
-void Backdrop::drawGround(const Camera& camera, const ShadowMap* shadows) const {
+void Backdrop::drawGround(const Camera& camera, const Shading& shading, bool shadowed) const {
     const float extent = groundExtent(bounds_, camera.eye);
     ground_.use();
+    shading.bind(ground_, camera.eye);
     setUniform(ground_, "viewProjection", camera.viewProjection());
-    setUniform(ground_, "eye", camera.eye);
     setUniform(ground_, "extent", extent);
     setUniform(ground_, "tile", tileSize(bounds_));
     setUniform(ground_, "hazeLength", 0.24f * extent);
     setUniform(ground_, "room", bounds_.room);
-    setUniform(ground_, "shadowed", shadows != nullptr);
-    if (shadows) shadows->bind(ground_);
+    setUniform(ground_, "shadowed", shadowed);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 

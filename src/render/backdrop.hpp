@@ -2,7 +2,7 @@
 #include "gl/program.hpp"
 #include "render/camera.hpp"
 #include "render/scene_bounds.hpp"
-#include "render/shadow_map.hpp"
+#include "render/shading.hpp"
 
 namespace sunder {
 
@@ -10,11 +10,11 @@ namespace sunder {
 class Backdrop {
   public:
     Backdrop(const SceneBounds&, const gl::VertexArray& noAttributes);
-    /// Draws over everything. `shadows` may be null: the ground is then in the sun everywhere.
-    void draw(const Camera&, const ShadowMap* shadows) const;
+    /// Draws over everything. Without shadows the ground is in the sun everywhere.
+    void draw(const Camera&, const Shading&, bool shadowed) const;
 
   private:
-    void drawGround(const Camera&, const ShadowMap* shadows) const;
+    void drawGround(const Camera&, const Shading&, bool shadowed) const;
 
     SceneBounds bounds_;
     const gl::VertexArray& noAttributes_;

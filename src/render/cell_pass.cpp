@@ -1,11 +1,10 @@
 #include "render/cell_pass.hpp"
 
+#include "render/shading.hpp"
 #include "render/uniforms.hpp"
 
 namespace sunder {
 namespace {
-
-constexpr int kLawBinding = 0;
 
 gl::ProgramDescription describe(CellPass::Output output) {
     gl::ProgramDescription description{.vertex = "draw/cells.vert", .geometry = "draw/cells.geom"};
@@ -18,6 +17,15 @@ gl::ProgramDescription describe(CellPass::Output output) {
             break;
         case CellPass::Output::Lines:
             description.fragment = "draw/wire.frag";
+            description.defines = {{"LINES", "1"}};
+            break;
+        case CellPass::Output::Veil:
+            description.fragment = "draw/veil.frag";
+            description.defines = {{"DEPTH_ONLY", "1"}, {"TRANSPARENT", "1"}};
+            break;
+        case CellPass::Output::Transparent:
+            description.fragment = "draw/cells.frag";
+            description.defines = {{"TRANSPARENT", "1"}};
             break;
     }
     return description;
@@ -33,8 +41,7 @@ CellPass::CellPass(Output output, const gpu::WorldBuffers& buffers,
     program_.bindSampler("damage", kBondUnit);
     program_.bindSampler("displacements", kNodeUnit);
     program_.bindSampler("rest", kRestUnit);
-    if (output != Output::Depth) program_.bindUniformBlock("ElementLaws", kLawBinding);
-    if (output == Output::Shaded) program_.bindSampler("shadowMap", kShadowUnit);
+    Shading::prepare(program_);
 }
 
 const gl::Program& CellPass::begin() const {
@@ -51,7 +58,6 @@ void CellPass::draw(const gpu::StateView& state, const glm::mat4& viewProjection
     gl::bindTexture(kNodeUnit, GL_TEXTURE_BUFFER, *state.displacements);
     glUniform2i(program_.uniform("displacementStrides"), state.cellStride, state.cornerStride);
     gl::bindTexture(kRestUnit, GL_TEXTURE_BUFFER, buffers_.rest());
-    glBindBufferBase(GL_UNIFORM_BUFFER, kLawBinding, buffers_.laws().id());
     glBindVertexArray(noAttributes_.id());
     glDrawArrays(GL_POINTS, 0, 6 * buffers_.cellCount());
 }

@@ -11,9 +11,11 @@ namespace sunder {
 class CellPass {
   public:
     enum class Output {
-        Depth,  ///< for the shadow map
+        Depth,  ///< for the shadow map, of opaque materials
         Shaded,
-        Lines,  ///< one colour, for GL_LINE polygons
+        Lines,        ///< one colour, for GL_LINE polygons
+        Veil,         ///< for the shadow map, of transparent materials
+        Transparent,  ///< inside Transparency::draw()
     };
     CellPass(Output, const gpu::WorldBuffers&, const gl::VertexArray& noAttributes);
 

@@ -1,27 +1,36 @@
 #include "render/display_pass.hpp"
 
+#include "render/shading.hpp"
 #include "render/uniforms.hpp"
 
 namespace sunder {
 namespace {
 
-constexpr int kLawBinding = 0;
 constexpr GLuint kRestLocation = 0, kPlaceLocation = 1;
 
 gl::ProgramDescription describe(DisplayPass::Output output) {
+    using Output = DisplayPass::Output;
     gl::ProgramDescription description{.vertex = "draw/display.vert"};
     switch (output) {
-        case DisplayPass::Output::Depth:
+        case Output::Depth:
             description.defines = {{"DEPTH_ONLY", "1"}};
             break;
-        case DisplayPass::Output::Shaded:
+        case Output::Shaded:
             description.fragment = "draw/display.frag";
             break;
-        case DisplayPass::Output::Lines:
+        case Output::Lines:
             description.defines = {{"DEPTH_ONLY", "1"}};
             description.fragment = "draw/display_lines.frag";
             break;
-        case DisplayPass::Output::Positions:
+        case Output::Veil:
+            description.fragment = "draw/veil.frag";
+            description.defines = {{"DEPTH_ONLY", "1"}};
+            break;
+        case Output::Transparent:
+            description.fragment = "draw/display.frag";
+            description.defines = {{"TRANSPARENT", "1"}};
+            break;
+        case Output::Positions:
             description.feedback = {"position"};
             break;
     }
@@ -71,9 +80,7 @@ DisplayPass::DisplayPass(Output output, const gpu::WorldBuffers& buffers,
     program_.bindSampler("damage", kBondUnit);
     program_.bindSampler("displacements", kNodeUnit);
     program_.bindSampler("restPositions", kRestUnit);
-    if (output != Output::Shaded) return;
-    program_.bindUniformBlock("ElementLaws", kLawBinding);
-    program_.bindSampler("shadowMap", kShadowUnit);
+    Shading::prepare(program_);
 }
 
 const gl::Program& DisplayPass::begin() const {
@@ -101,7 +108,6 @@ void DisplayPass::bind(const gpu::StateView& state) const {
     gl::bindTexture(kNodeUnit, GL_TEXTURE_BUFFER, *state.displacements);
     glUniform2i(program_.uniform("displacementStrides"), state.cellStride, state.cornerStride);
     gl::bindTexture(kRestUnit, GL_TEXTURE_BUFFER, buffers_.rest());
-    glBindBufferBase(GL_UNIFORM_BUFFER, kLawBinding, buffers_.laws().id());
 }
 
 }  // namespace sunder

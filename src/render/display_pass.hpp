@@ -33,8 +33,10 @@ class DisplayPass {
     enum class Output {
         Depth,  ///< for the shadow map
         Shaded,
-        Lines,      ///< one colour, for GL_LINE polygons
-        Positions,  ///< captured: `position` of every vertex, m
+        Lines,        ///< one colour, for GL_LINE polygons
+        Veil,         ///< of transparent materials, for the shadow map
+        Transparent,  ///< inside Transparency::draw()
+        Positions,    ///< captured: `position` of every vertex, m
     };
     DisplayPass(Output, const gpu::WorldBuffers&, const DisplayBuffers&);
 

@@ -13,6 +13,14 @@ namespace {
                      std::to_string(height) + " pixels; a smaller --size may work");
 }
 
+int limit(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+}  // namespace
+
 void requireComplete(int width, int height) {
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         failSize(width, height);
@@ -29,14 +37,6 @@ gl::Texture makeSamples(int width, int height, int samples, GLenum format) {
     return texture;
 }
 
-int limit(GLenum name) {
-    GLint value = 0;
-    glGetIntegerv(name, &value);
-    return value;
-}
-
-}  // namespace
-
 PictureTarget::PictureTarget(int width, int height, int samples)
     : width_(width), height_(height), samples_(samples) {
     const int largest = limit(GL_MAX_TEXTURE_SIZE);
@@ -48,10 +48,10 @@ PictureTarget::PictureTarget(int width, int height, int samples)
                          std::to_string(kMaxPixels));
     const int most =
         std::min(limit(GL_MAX_COLOR_TEXTURE_SAMPLES), limit(GL_MAX_DEPTH_TEXTURE_SAMPLES));
-    const int count = std::clamp(samples, 1, std::max(most, 1));
+    sampleCount_ = std::clamp(samples, 1, std::max(most, 1));
 
-    colour_ = makeSamples(width, height, count, GL_SRGB8_ALPHA8);
-    depth_ = makeSamples(width, height, count, GL_DEPTH_COMPONENT32F);
+    colour_ = makeSamples(width, height, sampleCount_, GL_SRGB8_ALPHA8);
+    depth_ = makeSamples(width, height, sampleCount_, GL_DEPTH_COMPONENT32F);
     drawn_ = gl::makeFramebuffer();
     glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE,
@@ -67,8 +67,12 @@ PictureTarget::PictureTarget(int width, int height, int samples)
     requireComplete(width, height);
 }
 
-void PictureTarget::begin(const glm::vec3& background) const {
+void PictureTarget::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
+}
+
+void PictureTarget::begin(const glm::vec3& background) const {
+    bind();
     glViewport(0, 0, width_, height_);
     glClearColor(background.r, background.g, background.b, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

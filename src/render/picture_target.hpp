@@ -6,6 +6,11 @@
 
 namespace sunder {
 
+/// A multisample texture. Throws InputError when the device has no room for it.
+gl::Texture makeSamples(int width, int height, int samples, GLenum format);
+/// Throws InputError when the device cannot draw to the bound framebuffer, of that size.
+void requireComplete(int width, int height);
+
 /// Where a picture is drawn off screen: a multisampled sRGB framebuffer and a plain one that it is
 /// resolved to.
 class PictureTarget {
@@ -18,15 +23,23 @@ class PictureTarget {
     bool fits(int width, int height, int samples) const {
         return width == width_ && height == height_ && samples == samples_;
     }
+    int width() const { return width_; }
+    int height() const { return height_; }
+    /// What the device has of the samples asked for.
+    int sampleCount() const { return sampleCount_; }
+    const gl::Texture& depth() const { return depth_; }
+
     /// Binds the multisampled framebuffer, cleared to a linear colour, and its viewport.
     void begin(const glm::vec3& background) const;
+    /// Binds it as it is.
+    void bind() const;
     /// Averages the samples; the plain framebuffer is bound afterwards.
     void resolve() const;
     /// Reads the resolved picture. Waits for the GPU.
     Image read() const;
 
   private:
-    int width_ = 0, height_ = 0, samples_ = 0;
+    int width_ = 0, height_ = 0, samples_ = 0, sampleCount_ = 0;
     gl::Texture colour_, depth_, resolved_;
     gl::Framebuffer drawn_, plain_;
 };

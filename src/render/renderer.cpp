@@ -4,12 +4,12 @@
 
 #include "render/backdrop.hpp"
 #include "render/camera.hpp"
-#include "render/cell_pass.hpp"
-#include "render/display_pass.hpp"
+#include "render/display_walls.hpp"
 #include "render/object_pass.hpp"
 #include "render/picture_target.hpp"
 #include "render/scene_bounds.hpp"
-#include "render/shadow_map.hpp"
+#include "render/simulation_walls.hpp"
+#include "render/transparency.hpp"
 #include "render/uniforms.hpp"
 
 namespace sunder {
@@ -43,6 +43,7 @@ class DrawingState {
         glDisable(GL_FRAMEBUFFER_SRGB);
         glDepthMask(GL_TRUE);
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+        ShadowMap::unbind();
         glBindVertexArray(0);
         glUseProgram(0);
     }
@@ -50,149 +51,99 @@ class DrawingState {
     DrawingState& operator=(const DrawingState&) = delete;
 };
 
-/// Passes of one kind: one per way of drawing.
-template <typename Pass>
-struct Passes {
-    Pass depth, shaded, lines;
+/// Objects: one pass per way of drawing.
+struct Objects {
+    ObjectPass depth, shaded, lines;
 
-    template <typename... Arguments>
-    explicit Passes(const Arguments&... arguments)
-        : depth(CellPass::Output::Depth, arguments...),
-          shaded(CellPass::Output::Shaded, arguments...),
-          lines(CellPass::Output::Lines, arguments...) {}
+    Objects(const World& world, const gpu::WorldBuffers& buffers,
+            const gl::VertexArray& noAttributes)
+        : depth(CellPass::Output::Depth, world, buffers, noAttributes),
+          shaded(CellPass::Output::Shaded, world, buffers, noAttributes),
+          lines(CellPass::Output::Lines, world, buffers, noAttributes) {}
 };
 
 }  // namespace
 
-/// The display mesh and its passes: one per way of drawing.
-struct Display {
-    DisplayMesh mesh;
-    DisplayBuffers buffers;
-    DisplayPass depth, shaded, lines;
-
-    Display(const World& world, const gpu::WorldBuffers& worldBuffers)
-        : mesh(world),
-          buffers(mesh),
-          depth(DisplayPass::Output::Depth, worldBuffers, buffers),
-          shaded(DisplayPass::Output::Shaded, worldBuffers, buffers),
-          lines(DisplayPass::Output::Lines, worldBuffers, buffers) {}
-};
-
 struct Renderer::Impl {
     const World& world;
-    const gpu::WorldBuffers& worldBuffers;
+    const gpu::WorldBuffers& buffers;
     SceneBounds bounds;
     gl::VertexArray noAttributes = gl::makeVertexArray();
-    ShadowMap shadows;
+    Shading shading;
     Backdrop backdrop;
-    Passes<CellPass> cells;
-    std::optional<Display> display;             ///< once it has been asked for
-    std::optional<Passes<ObjectPass>> objects;  ///< where the world has any
+    // Made when they are first drawn.
+    std::optional<DisplayWalls> displayWalls;
+    std::optional<SimulationWalls> simulationWalls;
+    std::optional<Objects> objects;            ///< where the world has any
+    std::optional<Transparency> transparency;  ///< where a material is transparent
     PictureTarget target;
 
-    Impl(const World& w, const gpu::WorldBuffers& buffers)
+    Impl(const World& w, const gpu::WorldBuffers& b)
         : world(w),
-          worldBuffers(buffers),
+          buffers(b),
           bounds(sceneBounds(world)),
-          shadows(bounds),
-          backdrop(bounds, noAttributes),
-          cells(buffers, noAttributes) {
+          shading(world, bounds, noAttributes),
+          backdrop(bounds, noAttributes) {
         if (!world.objects().empty()) objects.emplace(world, buffers, noAttributes);
+        if (shading.looks().anyTransparent()) transparency.emplace(noAttributes);
     }
 
-    Display& displayed() {
-        if (!display) display.emplace(world, worldBuffers);
-        return *display;
+    DisplayWalls& displayed() {
+        if (!displayWalls) displayWalls.emplace(world, buffers);
+        return *displayWalls;
     }
 
-    void drawShadows(const gpu::StateView& state, DrawnMesh mesh) {
+    const Walls& walls(DrawnMesh mesh) {
+        if (mesh == DrawnMesh::Display) return displayed();
+        if (!simulationWalls)
+            simulationWalls.emplace(buffers, noAttributes, transparency.has_value());
+        return *simulationWalls;
+    }
+
+    void drawShadows(const gpu::StateView& state, const Walls& walls) const {
+        const ShadowMap& shadows = shading.shadows();
         shadows.begin();
         // What stands between the sun and the map's box is flattened onto its front instead of
         // being cut off.
         glEnable(GL_DEPTH_CLAMP);
-        if (mesh == DrawnMesh::Simulation) {
-            cells.depth.begin();
-            cells.depth.draw(state, shadows.lightMatrix());
-        } else {
-            displayed().depth.begin();
-            displayed().depth.draw(state, shadows.lightMatrix(), DisplayBuffers::Part::Opaque);
-            displayed().depth.draw(state, shadows.lightMatrix(), DisplayBuffers::Part::Transparent);
-        }
+        shading.looks().bind();
+        walls.drawDepth(state, shadows.lightMatrix());
         if (objects) {
             objects->depth.begin();
             objects->depth.draw(state, shadows.lightMatrix());
         }
+        if (transparency) {
+            shadows.beginVeil();
+            walls.drawVeil(state, shadows.lightMatrix());
+            ShadowMap::endVeil();
+        }
         glDisable(GL_DEPTH_CLAMP);
     }
 
-    /// What draw/light.glsl reads.
-    void setLight(const gl::Program& program) const {
-        shadows.bind(program);
-        setUniform(program, "grounded", bounds.ground);
-    }
-
-    void drawSolid(const gpu::StateView& state, const Camera& camera, DrawnMesh mesh, float wire) {
+    void drawSolid(const gpu::StateView& state, const Camera& camera, const Walls& walls,
+                   bool wire) {
         glEnable(GL_CULL_FACE);
-        if (mesh == DrawnMesh::Simulation) {
-            const gl::Program& program = cells.shaded.begin();
-            setLight(program);
-            setUniform(program, "wire", wire);
-            cells.shaded.draw(state, camera.viewProjection());
-        } else {
-            drawDisplay(state, camera, wire > 0);
+        walls.drawOpaque(state, camera, shading, wire);
+        if (objects) {
+            shading.bind(objects->shaded.begin(), camera.eye);
+            objects->shaded.draw(state, camera.viewProjection());
         }
-        if (!objects) return;
-        const gl::Program& smooth = objects->shaded.begin();
-        setLight(smooth);
-        setUniform(smooth, "eye", camera.eye);
-        objects->shaded.draw(state, camera.viewProjection());
-    }
-
-    void drawDisplay(const gpu::StateView& state, const Camera& camera, bool wire) {
-        const gl::Program& program = displayed().shaded.begin();
-        setLight(program);
-        // Lines in front of the surface that they are on.
-        if (wire) glEnable(GL_POLYGON_OFFSET_FILL);
-        glPolygonOffset(1, 2);
-        displayed().shaded.draw(state, camera.viewProjection(), DisplayBuffers::Part::Opaque);
-        displayed().shaded.draw(state, camera.viewProjection(), DisplayBuffers::Part::Transparent);
-        glDisable(GL_POLYGON_OFFSET_FILL);
-        if (!wire) return;
-        glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-        drawDisplayLines(state, camera, glm::vec4(0.02f, 0.02f, 0.02f, 0.5f));
-        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-    }
-
-    void drawDisplayLines(const gpu::StateView& state, const Camera& camera,
-                          const glm::vec4& colour) {
-        glDepthMask(GL_FALSE);
-        glEnable(GL_BLEND);
-        glBlendEquation(GL_FUNC_ADD);
-        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-        setUniform(displayed().lines.begin(), "lineColour", colour);
-        displayed().lines.draw(state, camera.viewProjection(), DisplayBuffers::Part::Opaque);
-        displayed().lines.draw(state, camera.viewProjection(), DisplayBuffers::Part::Transparent);
-        glDisable(GL_BLEND);
-        glDepthMask(GL_TRUE);
+        if (transparency)
+            transparency->draw(target,
+                               [&] { walls.drawTransparent(state, camera, shading, wire); });
     }
 
     /// Lines hide nothing, so that the far side shows through.
-    void drawWireframe(const gpu::StateView& state, const Camera& camera, DrawnMesh mesh) {
+    void drawWireframe(const gpu::StateView& state, const Camera& camera, const Walls& walls) {
         glDisable(GL_CULL_FACE);
         glDepthMask(GL_FALSE);
         glEnable(GL_BLEND);
         glBlendEquation(GL_FUNC_ADD);
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
         glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-        if (mesh == DrawnMesh::Simulation) {
-            setUniform(cells.lines.begin(), "eye", camera.eye);
-            cells.lines.draw(state, camera.viewProjection());
-        } else {
-            drawDisplayLines(state, camera, glm::vec4(0.05f, 0.04f, 0.03f, 0.6f));
-            glEnable(GL_BLEND);
-        }
+        walls.drawLines(state, camera, shading);
         if (!objects) return;
-        setUniform(objects->lines.begin(), "eye", camera.eye);
+        shading.bind(objects->lines.begin(), camera.eye);
         objects->lines.draw(state, camera.viewProjection());
     }
 };
@@ -203,7 +154,7 @@ Renderer::Renderer(const World& world, const gpu::WorldBuffers& buffers)
 Renderer::~Renderer() = default;
 
 const DisplayMesh& Renderer::displayMesh() {
-    return impl_->displayed().mesh;
+    return impl_->displayed().mesh();
 }
 
 void Renderer::render(const gpu::StateView& state, const CameraDescription& description,
@@ -215,15 +166,15 @@ void Renderer::render(const gpu::StateView& state, const CameraDescription& desc
     const Camera camera = makeCamera(description, aspect, impl.bounds);
 
     const DrawingState drawing;
+    const Walls& walls = impl.walls(settings.mesh);
     const bool solid = settings.style != DrawStyle::Wireframe;
-    if (solid) impl.drawShadows(state, settings.mesh);
+    if (solid) impl.drawShadows(state, walls);
     impl.target.begin(settings.background.value_or(glm::vec3(0)));
-    if (!settings.background) impl.backdrop.draw(camera, solid ? &impl.shadows : nullptr);
+    if (!settings.background) impl.backdrop.draw(camera, impl.shading, solid);
     if (solid)
-        impl.drawSolid(state, camera, settings.mesh,
-                       settings.style == DrawStyle::Overlay ? 1.f : 0.f);
+        impl.drawSolid(state, camera, walls, settings.style == DrawStyle::Overlay);
     else
-        impl.drawWireframe(state, camera, settings.mesh);
+        impl.drawWireframe(state, camera, walls);
     impl.target.resolve();
 }
 

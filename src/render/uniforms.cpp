@@ -8,6 +8,14 @@ void setUniform(const gl::Program& program, const char* name, const glm::mat4& v
     glUniformMatrix4fv(program.uniform(name), 1, GL_FALSE, glm::value_ptr(value));
 }
 
+void setUniform(const gl::Program& program, const char* name, const glm::mat3& value) {
+    glUniformMatrix3fv(program.uniform(name), 1, GL_FALSE, glm::value_ptr(value));
+}
+
+void setUniform(const gl::Program& program, const char* name, const glm::vec2& value) {
+    glUniform2fv(program.uniform(name), 1, glm::value_ptr(value));
+}
+
 void setUniform(const gl::Program& program, const char* name, const glm::vec3& value) {
     glUniform3fv(program.uniform(name), 1, glm::value_ptr(value));
 }

@@ -7,6 +7,8 @@ namespace sunder {
 
 // Set a uniform of the program in use.
 void setUniform(const gl::Program&, const char* name, const glm::mat4&);
+void setUniform(const gl::Program&, const char* name, const glm::mat3&);
+void setUniform(const gl::Program&, const char* name, const glm::vec2&);
 void setUniform(const gl::Program&, const char* name, const glm::vec3&);
 void setUniform(const gl::Program&, const char* name, const glm::vec4&);
 void setUniform(const gl::Program&, const char* name, float);
@@ -21,7 +23,12 @@ enum TextureUnit {
     kRestUnit,
     kShadowUnit,
     kObjectUnit,
-    kPlaceUnit
+    kPlaceUnit,
+    kShadowDepthUnit,
+    kShadowVeilUnit,
+    kSurfaceUnit,
+    kLightSumUnit,
+    kTransmissionUnit
 };
 
 }  // namespace sunder

@@ -1,0 +1,27 @@
+#include "render/shading.hpp"
+
+#include "render/uniforms.hpp"
+
+namespace sunder {
+
+Shading::Shading(const World& world, const SceneBounds& bounds, const gl::VertexArray& noAttributes)
+    : looks_(world),
+      textures_(world, noAttributes),
+      shadows_(bounds, looks_.anyTransparent()),
+      grounded_(bounds.ground) {}
+
+void Shading::prepare(const gl::Program& program) {
+    LookTable::prepare(program);
+    SurfaceTextures::prepare(program);
+    ShadowMap::prepare(program);
+}
+
+void Shading::bind(const gl::Program& program, const glm::vec3& eye) const {
+    looks_.bind();
+    textures_.bind(program);
+    shadows_.bind(program);
+    setUniform(program, "grounded", grounded_);
+    setUniform(program, "eye", eye);
+}
+
+}  // namespace sunder

@@ -1,0 +1,28 @@
+#pragma once
+#include "render/look_table.hpp"
+#include "render/shadow_map.hpp"
+#include "render/surface_textures.hpp"
+
+namespace sunder {
+
+/// Everything that glsl/draw/surface.glsl reads: looks, textures, sun and shadow. One for a world.
+class Shading {
+  public:
+    Shading(const World&, const SceneBounds&, const gl::VertexArray& noAttributes);
+
+    /// Once for a program that includes draw/surface.glsl, or a part of it.
+    static void prepare(const gl::Program&);
+    /// For the program in use, before it draws.
+    void bind(const gl::Program&, const glm::vec3& eye) const;
+
+    const LookTable& looks() const { return looks_; }
+    const ShadowMap& shadows() const { return shadows_; }
+
+  private:
+    LookTable looks_;
+    SurfaceTextures textures_;
+    ShadowMap shadows_;
+    bool grounded_;
+};
+
+}  // namespace sunder
