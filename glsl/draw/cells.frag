@@ -1,5 +1,6 @@
 #include "draw/light.glsl"
 #include "draw/lines.glsl"
+#include "draw/paint.glsl"
 
 uniform float wire;  // strength of the triangles' edges, 0 to 1
 
@@ -7,6 +8,7 @@ in vec3 position;
 in vec2 facePosition;
 flat in vec3 normal;
 flat in vec3 baseColour;
+flat in int paintedCell;
 flat in float insideFace;
 flat in uint cracks;
 flat in float diagonalSlope;
@@ -36,7 +38,7 @@ void main() {
     // Freshly bared material is paler than a weathered outside.
     vec3 albedo = mix(baseColour, baseColour * 1.15 + 0.03, insideFace);
     float strength = lineStrength(facePosition);
-    vec3 lit = albedo * light;
+    vec3 lit = paint(paintedCell, albedo) * paintLight(light);
     lit *= 1.0 - 0.55 * wire * strength * wireCoverage();
     lit *= 1.0 - 0.90 * strength * crackCoverage();
     colour = vec4(lit, 1.0);

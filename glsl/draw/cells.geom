@@ -25,6 +25,7 @@ out vec3 position;             // m, world
 out vec2 facePosition;         // 0 to 1 along the face's two sides
 flat out vec3 normal;
 flat out vec3 baseColour;      // linear RGB
+flat out int paintedCell;      // for draw/paint.glsl
 flat out float insideFace;     // 1 on a face that a broken bond has bared
 flat out uint cracks;          // bits 0 to 3: a crack runs along facePosition x = 0, x = 1, y = 0, y = 1
 flat out float diagonalSlope;  // +1: the diagonal is x = y; -1: it is x + y = 1
@@ -52,6 +53,7 @@ void emit(vec3 p, vec3 faceNormal, vec2 place, bool rising) {
     facePosition = place;
     normal = faceNormal;
     baseColour = laws[law[0]].colour.rgb * (0.975 + 0.05 * cellNoise(uint(cell[0])));
+    paintedCell = cell[0];
     insideFace = float(inside[0]);
     cracks = crackedEdges[0];
     diagonalSlope = rising ? 1.0 : -1.0;

@@ -1,5 +1,6 @@
 #include "render/cell_pass.hpp"
 
+#include "render/cell_paint.hpp"
 #include "render/uniforms.hpp"
 
 namespace sunder {
@@ -33,7 +34,10 @@ CellPass::CellPass(Output output, const gpu::WorldBuffers& buffers,
     program_.bindSampler("damage", kBondUnit);
     program_.bindSampler("displacements", kNodeUnit);
     program_.bindSampler("rest", kRestUnit);
-    if (output != Output::Depth) program_.bindUniformBlock("ElementLaws", kLawBinding);
+    if (output != Output::Depth) {
+        program_.bindUniformBlock("ElementLaws", kLawBinding);
+        CellPaint::bindSampler(program_);
+    }
     if (output == Output::Shaded) program_.bindSampler("shadowMap", kShadowUnit);
 }
 

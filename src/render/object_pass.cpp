@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/cell_paint.hpp"
 #include "render/uniforms.hpp"
 
 namespace sunder {
@@ -42,6 +43,7 @@ ObjectPass::ObjectPass(CellPass::Output output, const World& world,
     program_.bindSampler("objects", kObjectUnit);
     program_.bindSampler("places", kPlaceUnit);
     if (output == CellPass::Output::Shaded) program_.bindSampler("shadowMap", kShadowUnit);
+    if (output == CellPass::Output::Lines) CellPaint::bindSampler(program_);
     for (std::size_t i = 0; i < world.objects().size(); ++i)
         if (world.objects()[i].chain > 0)
             chains_.push_back({static_cast<int>(i), linkCount(world.objects()[i])});

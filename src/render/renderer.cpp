@@ -4,6 +4,7 @@
 
 #include "render/backdrop.hpp"
 #include "render/camera.hpp"
+#include "render/cell_paint.hpp"
 #include "render/cell_pass.hpp"
 #include "render/object_pass.hpp"
 #include "render/picture_target.hpp"
@@ -69,6 +70,7 @@ struct Renderer::Impl {
     ShadowMap shadows;
     Backdrop backdrop;
     Passes<CellPass> cells;
+    CellPaint paint;
     std::optional<Passes<ObjectPass>> objects;  ///< where the world has any
     PictureTarget target;
 
@@ -104,6 +106,7 @@ struct Renderer::Impl {
         glEnable(GL_CULL_FACE);
         const gl::Program& program = cells.shaded.begin();
         setLight(program);
+        paint.bind(program);
         setUniform(program, "wire", wire);
         cells.shaded.draw(state, camera.viewProjection());
         if (!objects) return;
@@ -121,7 +124,9 @@ struct Renderer::Impl {
         glBlendEquation(GL_FUNC_ADD);
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
         glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-        setUniform(cells.lines.begin(), "eye", camera.eye);
+        const gl::Program& program = cells.lines.begin();
+        paint.bind(program);
+        setUniform(program, "eye", camera.eye);
         cells.lines.draw(state, camera.viewProjection());
         if (!objects) return;
         setUniform(objects->lines.begin(), "eye", camera.eye);
@@ -140,6 +145,7 @@ Image Renderer::draw(const gpu::StateView& state, const CameraDescription& descr
     if (!impl.target.fits(settings.width, settings.height, settings.samples))
         impl.target = PictureTarget(settings.width, settings.height, settings.samples);
     const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
+    impl.paint.set(settings.colours);
     const Camera camera = makeCamera(description, aspect, impl.bounds);
 
     {

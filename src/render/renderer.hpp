@@ -3,6 +3,7 @@
 
 #include "gpu/world_buffers.hpp"
 #include "image/image.hpp"
+#include "render/cell_colours.hpp"
 #include "scene/scene.hpp"
 
 namespace sunder {
@@ -17,6 +18,7 @@ struct RenderSettings {
     int width = 1280, height = 720;
     int samples = 4;  ///< multisampling; clamped to what the device has
     DrawStyle style = DrawStyle::Solid;
+    const CellColours* colours = nullptr;  ///< of walls; null: the materials' own
 };
 
 /// Draws a world's simulation mesh (thesis, figure 6.6): sky, ground, sun with shadow, walls whose

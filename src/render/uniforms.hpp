@@ -21,7 +21,8 @@ enum TextureUnit {
     kRestUnit,
     kShadowUnit,
     kObjectUnit,
-    kPlaceUnit
+    kPlaceUnit,
+    kPaintUnit
 };
 
 }  // namespace sunder
