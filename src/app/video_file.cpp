@@ -105,9 +105,9 @@ void VideoFile::close() {
 
 void VideoFile::fail() {
     ffmpeg_.close();
-    throw InputError(
-        "--video: ffmpeg cannot write '" + named_.string() + "': " +
-        replaced(reason(ffmpeg_.complaints()), temporary_.path().string(), named_.string()));
+    throw InputError("--video: ffmpeg cannot write '" + named_.string() + "': " +
+                     replaced(reason(ffmpeg_.complaints()), "file:" + temporary_.path().string(),
+                              named_.string()));
 }
 
 }  // namespace sunder::app

@@ -11,8 +11,8 @@ namespace sunder {
 namespace {
 
 // Where the scales begin: a wall at rest, or falling asleep, is dark and not noise in full colour.
-constexpr double kLeastStress = 1e4;  // Pa
-constexpr double kLeastSpeed = 1;     // m/s
+constexpr double kLeastStrain = 1e-4;  // times Young's modulus
+constexpr double kLeastSpeed = 1;      // m/s
 
 /// The next of 1, 2 and 5 times powers of ten.
 double roundedUp(double value) {
@@ -21,6 +21,34 @@ double roundedUp(double value) {
         // Room for what rounding does to a value that is one of the steps.
         if (value <= step * power * (1 + 1e-9)) return step * power;
     return 10 * power;
+}
+
+/// The scale's end so far, and further if a value is beyond it.
+double grown(double end, const std::vector<double>& values) {
+    for (const double value : values)
+        if (value > end && std::isfinite(value)) end = roundedUp(value);
+    return end;
+}
+
+/// Pa, the most that any of the world's materials bears in any direction; 0 where nothing breaks.
+double highestStrength(const World& world) {
+    double highest = 0;
+    for (const ElementLaw& law : world.laws()) {
+        const Material& material = world.description().materials[law.material];
+        if (material.fracture == FractureMode::Bond)
+            highest = std::max(highest, material.strength.maxCoeff());
+        if (material.fracture == FractureMode::Cell)
+            highest = std::max(highest, material.maxStress);
+    }
+    return highest;
+}
+
+/// Pa
+double leastStress(const World& world) {
+    double least = 0;
+    for (const ElementLaw& law : world.laws())
+        least = std::max(least, kLeastStrain * law.stressScale * law.youngModulus);
+    return roundedUp(least);
 }
 
 /// m/s, of the centre of mass: a cell's nodes weigh the same.
@@ -48,7 +76,10 @@ std::string_view toString(WallColour colour) {
 }
 
 CellColours::CellColours(const World& world)
-    : world_(world), stressEnd_(kLeastStress), speedEnd_(kLeastSpeed) {}
+    : world_(world),
+      strength_(highestStrength(world)),
+      stressEnd_(leastStress(world)),
+      speedEnd_(kLeastSpeed) {}
 
 void CellColours::update(const State& state, WallColour colour) {
     key_ = {};
@@ -57,27 +88,39 @@ void CellColours::update(const State& state, WallColour colour) {
     switch (colour) {
         case WallColour::Material:
             break;
-        case WallColour::Stress:
-            colourByScale(stressEnd_,
-                          [&](int cell) { return cellPrincipalStress(world_, state, cell); });
+        case WallColour::Stress: {
+            const std::vector<double> values = stresses(state);
+            stressEnd_ = grown(stressEnd_, values);
+            colourByScale(values, strength_ > 0 ? strength_ : stressEnd_);
             break;
-        case WallColour::Speed:
-            colourByScale(speedEnd_, [&](int cell) { return cellSpeed(state, cell); });
+        }
+        case WallColour::Speed: {
+            const std::vector<double> values = speeds(state);
+            speedEnd_ = grown(speedEnd_, values);
+            colourByScale(values, speedEnd_);
             break;
+        }
         case WallColour::Piece:
             colourByPiece(state);
             break;
     }
 }
 
-template <typename Value>
-void CellColours::colourByScale(double& end, Value valueOf) {
+std::vector<double> CellColours::stresses(const State& state) const {
     std::vector<double> values(world_.cellCount());
-    for (int cell = 0; cell < world_.cellCount(); ++cell) {
-        if (!world_.present(cell)) continue;
-        values[cell] = valueOf(cell);
-        if (values[cell] > end && std::isfinite(values[cell])) end = roundedUp(values[cell]);
-    }
+    for (int cell = 0; cell < world_.cellCount(); ++cell)
+        if (world_.present(cell)) values[cell] = cellPrincipalStress(world_, state, cell);
+    return values;
+}
+
+std::vector<double> CellColours::speeds(const State& state) const {
+    std::vector<double> values(world_.cellCount());
+    for (int cell = 0; cell < world_.cellCount(); ++cell)
+        if (world_.present(cell)) values[cell] = cellSpeed(state, cell);
+    return values;
+}
+
+void CellColours::colourByScale(const std::vector<double>& values, double end) {
     for (int cell = 0; cell < world_.cellCount(); ++cell)
         if (world_.present(cell)) colours_[cell] = glm::vec4(mapColour(values[cell] / end), 1);
     key_.end = end;

@@ -27,10 +27,11 @@ struct ColourKey {
 /// Colours of a world's cells, worked out on the CPU from a state: a view for finding things out,
 /// not one for games.
 ///
-/// The scales of stress and speed end at the largest value seen so far, rounded up to 1, 2 or 5
-/// times a power of ten. A scene does not say in advance how far they will go: strengths say when a
-/// material begins to give way, which a hard hit exceeds and a wall that stands never gets near. A
-/// scale that only grows, in such steps, changes a few times in a run and never flickers.
+/// The scale of stress ends at the highest strength of the world's materials, which is what these
+/// stresses are compared with: bright is about to break, and the scale is the same in every picture
+/// of a run. A world that does not break, and speeds, have no such limit. There it ends at the
+/// largest value seen so far, rounded up to 1, 2 or 5 times a power of ten: it changes a few times
+/// in a run, and never flickers.
 class CellColours {
   public:
     /// The world must outlive it.
@@ -42,14 +43,16 @@ class CellColours {
     const ColourKey& key() const { return key_; }
 
   private:
-    template <typename Value>
-    void colourByScale(double& end, Value valueOf);
+    std::vector<double> stresses(const State&) const;  ///< Pa, per cell; 0 in absent ones
+    std::vector<double> speeds(const State&) const;    ///< m/s
+    void colourByScale(const std::vector<double>& values, double end);
     void colourByPiece(const State&);
 
     const World& world_;
     std::vector<glm::vec4> colours_;
     ColourKey key_;
-    double stressEnd_, speedEnd_;  ///< Pa, m/s
+    double strength_;              ///< Pa, the highest; 0: nothing breaks
+    double stressEnd_, speedEnd_;  ///< Pa, m/s, of what has been seen
 };
 
 }  // namespace sunder

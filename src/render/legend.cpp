@@ -28,7 +28,7 @@ ScaledUnit unitFor(const ColourKey& key) {
 
 std::string number(double value) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
+    std::snprintf(text, sizeof text, "%.4g", value);
     return text;
 }
 
