@@ -6,7 +6,7 @@
 namespace sunder {
 
 /// Rows from the top of a capital to the bottom of a 'g', in units of a text's scale.
-inline constexpr int kTextRows = 10;
+inline constexpr int kTextRows = 9;
 
 /// The scale at which text is legible in a picture of that height (pixels), and no larger.
 int textScale(int pictureHeight);
