@@ -84,14 +84,14 @@ FedProcess::FedProcess(const std::vector<std::string>& command)
     int ends[2];
     if (!errors_ || pipe(ends) != 0) fail(command.front(), errno);
     // Else the other program would hold its own input open.
-    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
+    for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
 
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_adddup2(&files, ends[0], STDIN_FILENO);
-    posix_spawn_file_actions_addclose(&files, ends[0]);
-    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    // Errors first: their file is number 0 where this program's own input was closed.
     posix_spawn_file_actions_adddup2(&files, fileno(errors_), STDERR_FILENO);
+    posix_spawn_file_actions_adddup2(&files, ends[0], STDIN_FILENO);
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t pipes;

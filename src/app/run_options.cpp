@@ -9,9 +9,6 @@
 namespace sunder::app {
 namespace {
 
-constexpr WallColour kColours[] = {WallColour::Material, WallColour::Stress, WallColour::Speed,
-                                   WallColour::Piece};
-
 /// CLI11 alone takes -1 for 2^64 - 1. Says what is wrong, if anything.
 std::string checkSeed(const std::string& text) {
     std::uint64_t seed = 0;
@@ -43,8 +40,7 @@ void addPictureOptions(CLI::App& command, RunOptions& options) {
     command
         .add_option("--sheet-times", options.sheetTimes,
                     "times of its frames, s, with commas (default: up to " +
-                        std::to_string(kSheetFrames) +
-                        " from the first event or throw on, the closer the earlier)")
+                        std::to_string(kSheetFrames) + " from the first event or throw on)")
         ->delimiter(',')
         ->needs(sheet)
         ->type_name("S,S,...");
@@ -54,7 +50,7 @@ void addPictureOptions(CLI::App& command, RunOptions& options) {
         ->check(CLI::IsMember({"solid", "wireframe", "overlay"}))
         ->capture_default_str();
     std::vector<std::string> colours;
-    for (const WallColour colour : kColours) colours.emplace_back(toString(colour));
+    for (const WallColour colour : kWallColours) colours.emplace_back(toString(colour));
     command
         .add_option("--colour", options.colour,
                     "what the colour of walls shows: material, or with a legend stress, speed or "
@@ -114,7 +110,7 @@ RenderSettings renderSettings(const RunOptions& options) {
 }
 
 WallColour wallColour(const RunOptions& options) {
-    for (const WallColour colour : kColours)
+    for (const WallColour colour : kWallColours)
         if (toString(colour) == options.colour) return colour;
     return WallColour::Material;
 }

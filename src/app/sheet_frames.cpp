@@ -11,17 +11,21 @@ namespace {
 /// More would be too small to see anything, and a list of hundreds is a slip.
 constexpr std::size_t kMostFrames = 64;
 
-/// s; 0 without events and throws.
-double firstAction(const WorldDescription& world) {
-    double first = -1;
-    const auto take = [&](const auto& actions) {
-        for (const auto& action : actions)
-            if (first < 0 || action.time < first) first = action.time;
-    };
-    take(world.events);
-    take(world.throws);
-    return std::max(first, 0.0);
-}
+/// When the first and the last event or throw begins, s; 0 where there is none.
+struct Actions {
+    double first = 0, last = 0;
+    int count = 0;
+
+    explicit Actions(const WorldDescription& world) {
+        for (const EventDescription& event : world.events) take(event.time);
+        for (const ThrowDescription& thrown : world.throws) take(thrown.time);
+    }
+    void take(double time) {
+        first = count ? std::min(first, time) : time;
+        last = std::max(last, time);
+        ++count;
+    }
+};
 
 std::string seconds(double value) {
     char text[32];
@@ -38,13 +42,16 @@ std::vector<int> inOrder(std::vector<int> frames) {
 }  // namespace
 
 std::vector<int> storyFrames(const WorldDescription& world, int frames, double fps) {
+    const Actions actions(world);
     // An event at the very time of a frame shows from the next one on.
     const int first =
-        std::clamp(static_cast<int>(std::floor(firstAction(world) * fps + 1e-6)), 0, frames);
+        static_cast<int>(std::min(std::floor(actions.first * fps + 1e-6), double(frames)));
+    // What one blow breaks, it breaks at once; then it falls for long. So the steps grow evenly.
+    // Where more happens, or nobody knows when, they are equal.
+    const double exponent = actions.count > 0 && actions.first == actions.last ? 2 : 1;
     std::vector<int> result;
     for (int i = 0; i < kSheetFrames; ++i) {
-        // What a hit breaks, it breaks at once; then it falls for long. So the steps grow evenly.
-        const double part = std::pow(static_cast<double>(i) / (kSheetFrames - 1), 2);
+        const double part = std::pow(static_cast<double>(i) / (kSheetFrames - 1), exponent);
         const int frame = first + static_cast<int>(std::lround(part * (frames - first)));
         // In a short run the first steps would be less than a frame each.
         result.push_back(std::min(std::max(frame, first + i), frames));

@@ -14,6 +14,8 @@ enum class WallColour {
     Speed,   ///< of a cell's centre of mass
     Piece,   ///< which cells hang together
 };
+inline constexpr WallColour kWallColours[] = {WallColour::Material, WallColour::Stress,
+                                              WallColour::Speed, WallColour::Piece};
 /// As the command line calls them.
 std::string_view toString(WallColour);
 

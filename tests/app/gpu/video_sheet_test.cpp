@@ -111,6 +111,19 @@ TEST_CASE("App: left to itself, a contact sheet begins with the first event") {
                                                                  .pixels);
 }
 
+TEST_CASE("App: without an event a contact sheet is spread evenly over the run") {
+    const Workplace place;
+    place.write("wall.toml", scenes::kFalling);
+    run(place,
+        {"--frames", "22", "--fps", "200", "--frames-png", "1", "--contact-sheet", "sheet.png"});
+    std::vector<std::pair<int, std::string>> frames;
+    for (int hundredth = 0; hundredth <= 11; ++hundredth)
+        frames.push_back({2 * hundredth, hundredth < 10
+                                             ? "0.0" + std::to_string(hundredth) + "0 s"
+                                             : "0.1" + std::to_string(hundredth - 10) + "0 s"});
+    CHECK(sunder::readPng(place.path("sheet.png")).pixels == expectedSheet(place, frames).pixels);
+}
+
 TEST_CASE("App: a run of few frames has each of them on its sheet once, and no other pictures") {
     const Workplace place;
     place.write("wall.toml", scenes::kFalling);
