@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <sstream>
+#include <system_error>
 
 #include "core/types.hpp"
 
@@ -68,9 +69,12 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 }  // namespace
 
 void VideoFile::check(const fs::path& path, int width, int height, double fps) {
-    VideoFile video(
-        fs::temp_directory_path() / fs::path("sunder").concat(path.extension().string()), path,
-        width, height, fps);
+    std::error_code error;
+    const fs::path folder = fs::temp_directory_path(error);
+    if (error)
+        throw InputError("--video: there is no folder for temporary files: " + error.message());
+    VideoFile video(folder / fs::path("sunder").concat(path.extension().string()), path, width,
+                    height, fps);
     const Image black{width, height, std::vector<std::uint8_t>(std::size_t{3} * width * height, 0)};
     // Two: some endings are those of single pictures.
     for (int frame = 0; frame < 2; ++frame) video.add(black);
