@@ -1,4 +1,5 @@
 #include "draw/output.glsl"
+#include "draw/painted_light.glsl"
 #include "draw/surface.glsl"
 
 uniform vec3 eye;
@@ -7,12 +8,13 @@ in vec3 position;
 in vec3 place;
 flat in uint surfaceLaw;
 flat in float seed;
+flat in int paintedCell;
 flat in float insideFace;
 flat in float boundaryFace;
 
 void main() {
-    // Flat: torn faces are. Towards the eye, for triangles that are seen from the side.
-    vec3 normal = normalize(cross(dFdx(position), dFdy(position)));
-    vec4 lit = shade(SurfacePoint(position, normal, place, surfaceLaw, insideFace, boundaryFace, seed), eye);
-    writeColour(lit, distance(eye, position));
+    vec3 n = normalize(cross(dFdx(position), dFdy(position)));  // flat: torn faces are
+    vec4 lit = painted ? vec4(paintedLight(paintedCell, position, n), 1.0)
+                       : shade(SurfacePoint(position, n, place, surfaceLaw, insideFace, boundaryFace, seed), eye);
+    writeColour(lit, distance(eye, position), !painted);
 }

@@ -17,6 +17,7 @@ uniform samplerBuffer restPositions;
 uniform mat4 viewProjection;
 
 #ifndef DEPTH_ONLY
+flat out int paintedCell;  // for draw/paint.glsl
 out vec3 position;       // m, world
 out vec3 place;               // m, at rest, from the body's origin
 flat out uint surfaceLaw;
@@ -108,6 +109,7 @@ void main() {
     Lattice lattice = latticeOf(int(record.g));
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside every view
 #ifndef DEPTH_ONLY
+    paintedCell = self;
     position = place = vec3(0.0);
     surfaceLaw = 0u;
     seed = insideFace = boundaryFace = 0.0;

@@ -19,7 +19,6 @@ gl::ProgramDescription describe(DisplayPass::Output output) {
             description.fragment = "draw/display.frag";
             break;
         case Output::Lines:
-            description.defines = {{"DEPTH_ONLY", "1"}};
             description.fragment = "draw/display_lines.frag";
             break;
         case Output::Veil:

@@ -163,6 +163,7 @@ void Renderer::render(const gpu::StateView& state, const CameraDescription& desc
     if (!impl.target.fits(settings.width, settings.height, settings.samples))
         impl.target = PictureTarget(settings.width, settings.height, settings.samples);
     const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
+    impl.shading.paint().set(settings.colours);
     const Camera camera = makeCamera(description, aspect, impl.bounds);
 
     const DrawingState drawing;

@@ -28,9 +28,10 @@ TEST_CASE("All presets can be read and laid out", "[scene]") {
             for (const Body& body : world.bodies())
                 CHECK(body.cellSize.maxCoeff() < 1.5 * body.cellSize.minCoeff());
     }
-    CHECK(names == std::vector<std::string>{"cannon", "cantilever", "concrete", "heap",
-                                            "peer-50x400", "peer-50x400-break", "rubber-thesis",
-                                            "stress", "wood", "wood-thesis", "wrecking-ball"});
+    CHECK(names == std::vector<std::string>{"brick", "cannon", "cantilever", "concrete", "glass",
+                                            "heap", "peer-50x400", "peer-50x400-break", "planks",
+                                            "rubber", "rubber-thesis", "stress", "wood",
+                                            "wood-thesis", "wrecking-ball"});
     names.clear();
     for (const PresetInfo& preset : materialPresets()) {
         INFO(preset.name);
