@@ -27,11 +27,24 @@ add_custom_command(
 add_library(sunder_glad STATIC ${glad_dir}/src/gl.c)
 target_include_directories(sunder_glad SYSTEM PUBLIC ${glad_dir}/include)
 
+find_package(glfw3 3.3 REQUIRED) # windows
+# Dear ImGui with its backends for GLFW and OpenGL 3: vcpkg has a CMake package; Debian one static library, which leaves stb to
+# whoever links it.
+find_package(imgui CONFIG QUIET)
+if(TARGET imgui::imgui)
+  add_library(sunder_imgui ALIAS imgui::imgui)
+else()
+  find_path(IMGUI_INCLUDE_DIR imgui.h PATH_SUFFIXES imgui REQUIRED)
+  find_library(IMGUI_LIBRARY imgui REQUIRED)
+  find_library(STB_LIBRARY stb REQUIRED)
+  add_library(sunder_imgui INTERFACE)
+  target_include_directories(sunder_imgui SYSTEM INTERFACE ${IMGUI_INCLUDE_DIR} ${IMGUI_INCLUDE_DIR}/backends)
+  target_link_libraries(sunder_imgui INTERFACE ${IMGUI_LIBRARY} ${STB_LIBRARY} glfw)
+endif()
+
 if(SUNDER_CONTEXT STREQUAL "egl")
   find_package(OpenGL REQUIRED COMPONENTS EGL)
-elseif(SUNDER_CONTEXT STREQUAL "glfw")
-  find_package(glfw3 3.3 REQUIRED)
-else()
+elseif(NOT SUNDER_CONTEXT STREQUAL "glfw")
   message(FATAL_ERROR "SUNDER_CONTEXT is '${SUNDER_CONTEXT}'; it must be egl or glfw")
 endif()
 

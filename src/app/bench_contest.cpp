@@ -80,7 +80,7 @@ void Contest::makeSolver(Lane& lane) {
     const std::size_t before = info.gpu ? gl::allocatedBytes() : heapBytesInUse().value_or(0);
     try {
         lane.solver =
-            app::makeSolver(info, world_, buffers_ ? &*buffers_ : nullptr, lane.entrant.threads);
+            sunder::makeSolver(info, world_, buffers_ ? &*buffers_ : nullptr, lane.entrant.threads);
     } catch (const InputError& error) {
         lane.skipped = error.what();
         return;

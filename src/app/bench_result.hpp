@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/solver_factory.hpp"
+#include "balance/solver_factory.hpp"
 
 namespace sunder::app {
 

@@ -14,6 +14,7 @@ enum ExitCode { kDone = 0, kDifferent = 1, kBadInput = 2, kNoContext = 3 };
 /// function to run.
 using Action = std::function<int()>;
 void addRun(CLI::App& app, Action& chosen);
+void addView(CLI::App& app, Action& chosen);
 void addBench(CLI::App& app, Action& chosen);
 void addInfo(CLI::App& app, Action& chosen);
 void addList(CLI::App& app, Action& chosen);

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "app/sheet_frames.hpp"
-#include "app/video_file.hpp"
 #include "image/contact_sheet.hpp"
 #include "image/scaling.hpp"
+#include "image/video_file.hpp"
 #include "render/legend.hpp"
 
 namespace sunder::app {

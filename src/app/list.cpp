@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "app/commands.hpp"
-#include "app/solver_factory.hpp"
+#include "balance/solver_factory.hpp"
 #include "scene/scene.hpp"
 
 namespace sunder::app {

@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
     app.failure_message(failureMessage);
     app::Action chosen;
     app::addRun(app, chosen);
+    app::addView(app, chosen);
     app::addBench(app, chosen);
     app::addInfo(app, chosen);
     app::addList(app, chosen);

@@ -2,8 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <tuple>
 
 #include "app/output_path.hpp"
+#include "app/picture_size.hpp"
 #include "app/sheet_frames.hpp"
 
 namespace sunder::app {
@@ -99,15 +101,7 @@ void checkRunOptions(const RunOptions& options) {
 
 RenderSettings renderSettings(const RunOptions& options) {
     RenderSettings settings;
-    // Not sscanf: it takes 4294967456 for 160.
-    const char *text = options.size.data(), *end = text + options.size.size();
-    const auto width = std::from_chars(text, end, settings.width);
-    const bool separated = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
-    const auto height = separated ? std::from_chars(width.ptr + 1, end, settings.height) : width;
-    if (!separated || height.ec != std::errc() || height.ptr != end || settings.width < 16 ||
-        settings.height < 16 || settings.width > 8192 || settings.height > 8192)
-        throw InputError("--size: '" + options.size +
-                         "' is not WIDTHxHEIGHT with both from 16 to 8192, for example 1280x720");
+    std::tie(settings.width, settings.height) = parsePictureSize(options.size);
     if (options.mesh == "simulation") settings.mesh = DrawnMesh::Simulation;
     if (options.style == "wireframe") settings.style = DrawStyle::Wireframe;
     if (options.style == "overlay") settings.style = DrawStyle::Overlay;

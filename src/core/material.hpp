@@ -123,8 +123,8 @@ struct Material {
     double transparency = 0;
 };
 
-/// One number in a Material: its key in a file, its range. The file reader and the tests walk this
-/// table.
+/// One number in a Material: its key in a file, its range, what it does. The file reader, the
+/// viewer's sliders and the tests walk this table.
 struct MaterialField {
     std::string_view key;   ///< in TOML, for example "young_modulus"
     std::string_view unit;  ///< "Pa", "1/s", …; "1" for a plain number
@@ -134,6 +134,7 @@ struct MaterialField {
     bool maxExcluded;          ///< the value must be less than max
     double Material::*scalar;  ///< exactly one of scalar and
     Vec3 Material::*vector;    ///< vector is set; a vector's range is each component's
+    std::string_view help;     ///< one or two sentences: what it is, what raising it does
 };
 
 std::span<const MaterialField> materialFields();

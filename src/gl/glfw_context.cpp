@@ -1,38 +1,13 @@
 // Headless contexts where there is no EGL: a GLFW window that is never shown. Main thread only, as
 // GLFW demands.
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
-#include <string>
-
+#include "gl/glfw_library.hpp"
 #include "gl/headless_context.hpp"
 
 namespace sunder::gl {
 namespace {
 
-std::string errorText() {
-    const char* description = nullptr;
-    const int code = glfwGetError(&description);
-    return description ? description : "GLFW error " + std::to_string(code);
-}
-
-struct Library {
-    Library() {
-        if (!glfwInit()) throw ContextError("glfwInit failed: " + errorText());
-    }
-    ~Library() { glfwTerminate(); }
-    Library(const Library&) = delete;
-    Library& operator=(const Library&) = delete;
-};
-
 GLFWwindow* makeWindow(int major, int minor, bool debug) {
-    glfwDefaultWindowHints();
-    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, debug ? GLFW_TRUE : GLFW_FALSE);
+    hintCoreContext(major, minor, debug);
     return glfwCreateWindow(64, 64, "Sunder", nullptr, nullptr);
 }
 
@@ -47,7 +22,7 @@ class GlfwContext final : public Context {
     struct Window {
         Window() : handle(makeWindow(4, 1, true)) {
             if (handle) return;
-            const std::string problem = errorText();
+            const std::string problem = glfwErrorText();
             // An older context is made only so that initialise() can say which version there is.
             handle = makeWindow(3, 2, false);
             if (!handle)
@@ -62,7 +37,7 @@ class GlfwContext final : public Context {
         GLFWwindow* handle;
     };
 
-    Library library_;
+    GlfwLibrary library_;
     Window window_;
 };
 

@@ -15,7 +15,7 @@ struct ProgramDescription {
     Defines defines = {};
     std::vector<std::string> feedback = {};  ///< transform feedback varyings, interleaved
     std::vector<std::pair<std::string, int>> attributes = {};  ///< name, location
-    ShaderSource source = embeddedShaders();
+    ShaderSource source = currentShaders();
 };
 
 /// A linked program. Compile and link errors throw std::runtime_error with the driver's log, file

@@ -14,6 +14,11 @@ using ShaderSource = std::function<std::optional<std::string>(std::string_view n
 /// The files under glsl/, as compiled in.
 ShaderSource embeddedShaders();
 
+/// Where programs that name no source take their shaders from: embeddedShaders(), unless
+/// useShaders() said otherwise.
+const ShaderSource& currentShaders();
+void useShaders(ShaderSource);
+
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
 /// These and one more.

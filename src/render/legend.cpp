@@ -37,7 +37,6 @@ Colour pixel(const glm::vec3& linear) {
 }
 
 void drawScale(Image& image, const ColourKey& key, int scale) {
-    const ScaledUnit unit = unitFor(key);
     const int margin = 4 * scale, line = (kTextRows + 2) * scale;
     const int length = std::min(120 * scale, image.width - 2 * margin);
     const int left = margin, numbers = image.height - margin - kTextRows * scale;
@@ -50,11 +49,10 @@ void drawScale(Image& image, const ColourKey& key, int scale) {
         fillRectangle(image, left + x, top, left + x + 1, bottom,
                       pixel(mapColour((x + 0.5) / length)));
 
-    const std::string what =
-        key.colour == WallColour::Stress ? "largest principal stress, " : "speed, ";
-    drawText(image, left, top - edge - line, what + unit.name, scale);
+    drawText(image, left, top - edge - line, legendTitle(key), scale);
+    const std::array<std::string, 3> values = legendNumbers(key);
     for (const int half : {0, 1, 2}) {
-        const std::string text = number(0.5 * half * key.end / unit.size);
+        const std::string& text = values[half];
         // The first begins at the bar's left end, the last ends at its right one.
         const int x = left + half * (length - textWidth(text, scale)) / 2;
         drawText(image, x, numbers, text, scale);
@@ -63,13 +61,26 @@ void drawScale(Image& image, const ColourKey& key, int scale) {
 
 }  // namespace
 
+std::string legendTitle(const ColourKey& key) {
+    const char* what = key.colour == WallColour::Stress ? "largest principal stress, " : "speed, ";
+    return what + unitFor(key).name;
+}
+
+std::array<std::string, 3> legendNumbers(const ColourKey& key) {
+    const double end = key.end / unitFor(key).size;
+    return {number(0), number(end / 2), number(end)};
+}
+
+std::string legendText(const ColourKey& key) {
+    if (key.colour != WallColour::Piece) return {};
+    return std::to_string(key.pieces) + (key.pieces == 1 ? " piece" : " pieces");
+}
+
 void drawLegend(Image& image, const ColourKey& key) {
     const int scale = textScale(image.height);
-    if (key.colour == WallColour::Stress || key.colour == WallColour::Speed)
-        drawScale(image, key, scale);
-    if (key.colour == WallColour::Piece)
-        drawText(image, 4 * scale, image.height - (4 + kTextRows) * scale,
-                 std::to_string(key.pieces) + (key.pieces == 1 ? " piece" : " pieces"), scale);
+    if (hasScale(key)) drawScale(image, key, scale);
+    if (const std::string text = legendText(key); !text.empty())
+        drawText(image, 4 * scale, image.height - (4 + kTextRows) * scale, text, scale);
 }
 
 }  // namespace sunder

@@ -86,7 +86,19 @@ void PictureTarget::resolve() const {
     glBindFramebuffer(GL_FRAMEBUFFER, plain_.id());
 }
 
+void PictureTarget::show(int left, int bottom) const {
+    // Without the conversion that GL_FRAMEBUFFER_SRGB asks for, bytes are copied as they are: a
+    // window takes them for sRGB, which they are.
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, plain_.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, width_, height_, left, bottom, left + width_, bottom + height_,
+                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
 Image PictureTarget::read() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, plain_.id());
     // Four channels: drivers convert to three slowly.
     std::vector<std::uint8_t> rgba(std::size_t{4} * width_ * height_);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);

@@ -35,6 +35,9 @@ class PictureTarget {
     void bind() const;
     /// Averages the samples; the plain framebuffer is bound afterwards.
     void resolve() const;
+    /// Copies the resolved picture into the default framebuffer, which is bound afterwards, its
+    /// lower left corner at these pixels.
+    void show(int left, int bottom) const;
     /// Reads the resolved picture. Waits for the GPU.
     Image read() const;
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "gpu/pass_timer.hpp"
 #include "render/backdrop.hpp"
 #include "render/camera.hpp"
 #include "render/display_walls.hpp"
@@ -169,9 +170,16 @@ void Renderer::render(const gpu::StateView& state, const CameraDescription& desc
     const DrawingState drawing;
     const Walls& walls = impl.walls(settings.mesh);
     const bool solid = settings.style != DrawStyle::Wireframe;
-    if (solid) impl.drawShadows(state, walls);
-    impl.target.begin(settings.background.value_or(glm::vec3(0)));
-    if (!settings.background) impl.backdrop.draw(camera, impl.shading, solid);
+    if (solid) {
+        const gpu::TimedPass timed(settings.timer, "shadows");
+        impl.drawShadows(state, walls);
+    }
+    {
+        const gpu::TimedPass timed(settings.timer, "sky and ground");
+        impl.target.begin(settings.background.value_or(glm::vec3(0)));
+        if (!settings.background) impl.backdrop.draw(camera, impl.shading, solid);
+    }
+    const gpu::TimedPass timed(settings.timer, "walls");
     if (solid)
         impl.drawSolid(state, camera, walls, settings.style == DrawStyle::Overlay);
     else
@@ -179,10 +187,18 @@ void Renderer::render(const gpu::StateView& state, const CameraDescription& desc
     impl.target.resolve();
 }
 
+void Renderer::show(int left, int bottom) const {
+    impl_->target.show(left, bottom);
+}
+
+Image Renderer::read() const {
+    return impl_->target.read();
+}
+
 Image Renderer::draw(const gpu::StateView& state, const CameraDescription& camera,
                      const RenderSettings& settings) {
     render(state, camera, settings);
-    return impl_->target.read();
+    return read();
 }
 
 }  // namespace sunder

@@ -30,6 +30,7 @@ struct RenderSettings {
     std::optional<glm::vec3> background = std::nullopt;
     DrawStyle style = DrawStyle::Solid;
     const CellColours* colours = nullptr;  ///< of walls; null: the materials' own
+    gpu::PassTimer* timer = nullptr;       ///< of shadows, backdrop and walls
 };
 
 /// Draws a world: sky, ground, sun with shadow, objects, and walls, either as their display mesh
@@ -46,7 +47,12 @@ class Renderer {
 
     /// Draws one picture off screen.
     void render(const gpu::StateView&, const CameraDescription&, const RenderSettings&);
-    /// The same, and reads it back: waits for the GPU.
+    /// Copies the last one into a window's framebuffer, its lower left corner at these pixels: the
+    /// same bytes that read() gives.
+    void show(int left, int bottom) const;
+    /// Reads the last one back: waits for the GPU.
+    Image read() const;
+    /// Draws one and reads it back.
     Image draw(const gpu::StateView&, const CameraDescription&, const RenderSettings&);
 
   private:

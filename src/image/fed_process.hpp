@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunder::app {
+namespace sunder {
 
 /// Another program that reads what it is fed on its standard input. Everything about processes that
 /// differs from system to system is in fed_process.cpp.
@@ -39,4 +39,4 @@ class FedProcess {
 #endif
 };
 
-}  // namespace sunder::app
+}  // namespace sunder

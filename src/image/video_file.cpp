@@ -1,4 +1,4 @@
-#include "app/video_file.hpp"
+#include "image/video_file.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -7,7 +7,7 @@
 
 #include "core/types.hpp"
 
-namespace sunder::app {
+namespace sunder {
 namespace {
 
 namespace fs = std::filesystem;
@@ -114,4 +114,4 @@ void VideoFile::fail() {
                               named_.string()));
 }
 
-}  // namespace sunder::app
+}  // namespace sunder

@@ -1,11 +1,11 @@
 #pragma once
 #include <filesystem>
 
-#include "app/fed_process.hpp"
+#include "image/fed_process.hpp"
 #include "image/image.hpp"
 #include "image/temporary_file.hpp"
 
-namespace sunder::app {
+namespace sunder {
 
 /// A video that ffmpeg makes of frames as they come; its ending says which kind. All that goes
 /// wrong, now or later, is an InputError, and then no file is left.
@@ -32,4 +32,4 @@ class VideoFile {
     FedProcess ffmpeg_;
 };
 
-}  // namespace sunder::app
+}  // namespace sunder

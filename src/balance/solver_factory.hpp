@@ -5,7 +5,7 @@
 
 #include "gpu/world_buffers.hpp"
 
-namespace sunder::app {
+namespace sunder {
 
 struct SolverInfo {
     std::string name;
@@ -35,4 +35,4 @@ class SolverView {
     std::unique_ptr<gpu::StateUpload> upload_;
 };
 
-}  // namespace sunder::app
+}  // namespace sunder

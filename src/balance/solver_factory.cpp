@@ -1,4 +1,4 @@
-#include "app/solver_factory.hpp"
+#include "balance/solver_factory.hpp"
 
 #include "balance/balanced_solver.hpp"
 #include "cpu/cpu_solver.hpp"
@@ -6,7 +6,7 @@
 #include "gpu/gather.hpp"
 #include "gpu/scatter.hpp"
 
-namespace sunder::app {
+namespace sunder {
 
 const std::vector<SolverInfo>& solvers() {
     static const std::vector<SolverInfo> known = {
@@ -52,4 +52,4 @@ gpu::StateView SolverView::view() {
     return dynamic_cast<gpu::GpuSolver&>(solver_).view();
 }
 
-}  // namespace sunder::app
+}  // namespace sunder

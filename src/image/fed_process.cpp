@@ -1,4 +1,4 @@
-#include "app/fed_process.hpp"
+#include "image/fed_process.hpp"
 
 #include "core/types.hpp"
 
@@ -17,7 +17,7 @@
 extern char** environ;
 #endif
 
-namespace sunder::app {
+namespace sunder {
 
 #ifdef _WIN32
 
@@ -155,4 +155,4 @@ std::string FedProcess::complaints() const {
     return text;
 }
 
-}  // namespace sunder::app
+}  // namespace sunder

@@ -1,0 +1,47 @@
+// sunder view: a scene in a window.
+#include "view/viewer.hpp"
+
+#include <CLI/CLI.hpp>
+#include <tuple>
+
+#include "app/commands.hpp"
+#include "app/output_path.hpp"
+#include "app/picture_size.hpp"
+
+namespace sunder::app {
+
+void addView(CLI::App& app, Action& chosen) {
+    CLI::App* command = app.add_subcommand("view", "A scene in a window, to hit with the mouse");
+    auto options = std::make_shared<view::Options>();
+    auto size = std::make_shared<std::string>();
+    command
+        ->add_option("scene", options->scene, "a preset's name (see: sunder list) or a TOML file")
+        ->capture_default_str()
+        ->type_name("SCENE");
+    command->add_option("--solver", options->solver, "see: sunder list (default: as last time)");
+    command->add_option("--size", *size, "of the window (default: as last time)")->type_name("WxH");
+    command
+        ->add_option("--out", options->folder,
+                     "folder for pictures, videos and files that are saved")
+        ->capture_default_str()
+        ->check(CLI::ExistingDirectory)
+        ->type_name("DIR");
+    command
+        ->add_option("--shader-dir", options->shaders,
+                     "a copy of glsl/ to take shaders from, again whenever a file changes")
+        ->type_name("DIR");
+    command
+        ->add_option("--log", options->log,
+                     "what happens, as lines of JSON: for tests and bug reports")
+        ->type_name("FILE");
+    command->callback([&chosen, options, size] {
+        chosen = [options, size] {
+            if (!size->empty()) std::tie(options->width, options->height) = parsePictureSize(*size);
+            checkWritable(options->log);
+            view::view(*options);
+            return kDone;
+        };
+    });
+}
+
+}  // namespace sunder::app

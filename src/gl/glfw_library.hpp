@@ -1,0 +1,40 @@
+#pragma once
+// For the files that know GLFW: nothing else includes this.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <string>
+
+#include "core/types.hpp"
+
+namespace sunder::gl {
+
+/// What went wrong last, in GLFW's words.
+inline std::string glfwErrorText() {
+    const char* description = nullptr;
+    const int code = glfwGetError(&description);
+    return description ? description : "GLFW error " + std::to_string(code);
+}
+
+/// GLFW, for as long as it lives; one at a time. `advice` ends the sentence of the ContextError.
+struct GlfwLibrary {
+    explicit GlfwLibrary(const std::string& advice = {}) {
+        if (!glfwInit()) throw ContextError("no window can be opened: " + glfwErrorText() + advice);
+    }
+    ~GlfwLibrary() { glfwTerminate(); }
+    GlfwLibrary(const GlfwLibrary&) = delete;
+    GlfwLibrary& operator=(const GlfwLibrary&) = delete;
+};
+
+/// Hints for a window with an OpenGL core context of this version; the window is not shown.
+inline void hintCoreContext(int major, int minor, bool debug) {
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, debug ? GLFW_TRUE : GLFW_FALSE);
+}
+
+}  // namespace sunder::gl

@@ -1,0 +1,201 @@
+#include "gl/window.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "gl/glfw_library.hpp"
+
+namespace sunder::gl {
+namespace {
+
+const std::string kAdvice = "; without a screen, `sunder run SCENE` makes pictures and videos";
+
+Key keyOf(int key, int scancode) {
+    constexpr std::pair<int, Key> kOthers[] = {
+        {GLFW_KEY_SPACE, Key::Space},       {GLFW_KEY_ESCAPE, Key::Escape},
+        {GLFW_KEY_ENTER, Key::Enter},       {GLFW_KEY_TAB, Key::Tab},
+        {GLFW_KEY_HOME, Key::Home},         {GLFW_KEY_LEFT, Key::Left},
+        {GLFW_KEY_RIGHT, Key::Right},       {GLFW_KEY_UP, Key::Up},
+        {GLFW_KEY_DOWN, Key::Down},         {GLFW_KEY_PAGE_UP, Key::PageUp},
+        {GLFW_KEY_PAGE_DOWN, Key::PageDown}};
+    for (const auto& [glfw, ours] : kOthers)
+        if (key == glfw) return ours;
+    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12)
+        return static_cast<Key>(static_cast<int>(Key::F1) + key - GLFW_KEY_F1);
+    if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9)
+        return static_cast<Key>('0' + key - GLFW_KEY_KP_0);
+    // What the layout prints on it: on a French keyboard, W is where Z is on others.
+    const char* name = glfwGetKeyName(key, scancode);
+    if (name && name[0] > ' ' && name[1] == '\0')
+        return static_cast<Key>(std::toupper(static_cast<unsigned char>(name[0])));
+    return key > ' ' && key < 128 ? static_cast<Key>(key) : Key::None;
+}
+
+GLFWwindow* makeWindow(const Window::Options& options) {
+    hintCoreContext(4, 1, true);
+    // Pictures are drawn into a target of their own and copied: samples and depth are there.
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_SAMPLES, 0);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    return glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
+}
+
+class GlfwWindow final : public Window {
+  public:
+    explicit GlfwWindow(const Options& options)
+        : library_(kAdvice), window_(options), width_(options.width), height_(options.height) {
+        glfwMakeContextCurrent(handle());
+        initialise(glfwGetProcAddress, "window");
+        glfwSetWindowUserPointer(handle(), this);
+        listen();
+        setVsync(options.vsync);
+        glfwShowWindow(handle());
+        if (options.fullScreen) setFullScreen(true);
+        glfwGetCursorPos(handle(), &cursorX_, &cursorY_);
+    }
+
+    void poll() override {
+        std::fill(std::begin(input_.buttonPressed), std::end(input_.buttonPressed), false);
+        input_.pressed.clear();
+        input_.wheel = 0;
+        if (minimised())
+            glfwWaitEventsTimeout(0.1);
+        else
+            glfwPollEvents();
+        input_.shift = down(GLFW_KEY_LEFT_SHIFT) || down(GLFW_KEY_RIGHT_SHIFT);
+        input_.control = down(GLFW_KEY_LEFT_CONTROL) || down(GLFW_KEY_RIGHT_CONTROL) ||
+                         down(GLFW_KEY_LEFT_SUPER) || down(GLFW_KEY_RIGHT_SUPER);
+        input_.alt = down(GLFW_KEY_LEFT_ALT);
+        // The desktop's coordinates are larger than pixels on some high-density screens.
+        const double density = pixelsPerCoordinate();
+        input_.moveX = cursorX_ * density - input_.x;
+        input_.moveY = cursorY_ * density - input_.y;
+        input_.x = cursorX_ * density;
+        input_.y = cursorY_ * density;
+        if (!fullScreen() && !minimised()) glfwGetWindowSize(handle(), &width_, &height_);
+    }
+    const Input& input() const override { return input_; }
+    void swap() override { glfwSwapBuffers(handle()); }
+
+    bool closing() const override { return glfwWindowShouldClose(handle()); }
+    bool minimised() const override {
+        return glfwGetWindowAttrib(handle(), GLFW_ICONIFIED) || width() == 0 || height() == 0;
+    }
+    bool focused() const override { return glfwGetWindowAttrib(handle(), GLFW_FOCUSED); }
+    int width() const override { return framebufferSize().first; }
+    int height() const override { return framebufferSize().second; }
+    int plainWidth() const override { return width_; }
+    int plainHeight() const override { return height_; }
+    float contentScale() const override {
+        float x = 1, y = 1;
+        glfwGetWindowContentScale(handle(), &x, &y);
+        return std::clamp(std::max(x, y), 0.5f, 8.f);
+    }
+
+    bool fullScreen() const override { return glfwGetWindowMonitor(handle()) != nullptr; }
+    void setFullScreen(bool wanted) override {
+        if (wanted == fullScreen()) return;
+        if (!wanted) {
+            glfwSetWindowMonitor(handle(), nullptr, left_, top_, width_, height_, GLFW_DONT_CARE);
+        } else if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+            glfwGetWindowPos(handle(), &left_, &top_);
+            const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+            glfwSetWindowMonitor(handle(), monitor, 0, 0, mode->width, mode->height,
+                                 mode->refreshRate);
+        }
+        setVsync(vsync_);  // some drivers forget it
+    }
+    void setVsync(bool wanted) override {
+        vsync_ = wanted;
+        glfwSwapInterval(wanted ? 1 : 0);
+    }
+
+    GLFWwindow* handle() const override { return window_.handle; }
+
+  private:
+    struct Handle {
+        explicit Handle(const Options& options) : handle(makeWindow(options)) {
+            if (!handle)
+                throw ContextError(
+                    "a window with OpenGL 4.1 core cannot be opened: " + glfwErrorText() + kAdvice);
+        }
+        ~Handle() {
+            glfwMakeContextCurrent(nullptr);
+            glfwDestroyWindow(handle);
+        }
+        Handle(const Handle&) = delete;
+        Handle& operator=(const Handle&) = delete;
+        GLFWwindow* handle;
+    };
+
+    static GlfwWindow& of(GLFWwindow* window) {
+        return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window));
+    }
+
+    void listen() {
+        glfwSetKeyCallback(handle(), [](GLFWwindow* w, int key, int code, int action, int) {
+            of(w).takeKey(keyOf(key, code), action);
+        });
+        glfwSetMouseButtonCallback(handle(), [](GLFWwindow* w, int button, int action, int) {
+            of(w).takeButton(button, action);
+        });
+        glfwSetCursorPosCallback(handle(), [](GLFWwindow* w, double x, double y) {
+            of(w).cursorX_ = x;
+            of(w).cursorY_ = y;
+        });
+        glfwSetScrollCallback(handle(),
+                              [](GLFWwindow* w, double, double y) { of(w).input_.wheel += y; });
+        glfwSetWindowFocusCallback(handle(), [](GLFWwindow* w, int focused) {
+            // Releases that go elsewhere are never heard of.
+            if (!focused) of(w).letGo();
+        });
+        // Other callbacks may be put in front; they hand on what they get.
+    }
+    void takeKey(Key key, int action) {
+        if (key == Key::None) return;
+        if (action == GLFW_PRESS) {
+            input_.pressed.push_back(key);
+            input_.held.insert(key);
+        } else if (action == GLFW_RELEASE) {
+            input_.held.erase(key);
+        }
+    }
+    void takeButton(int button, int action) {
+        if (button < 0 || button >= kMouseButtons) return;
+        input_.buttonHeld[button] = action == GLFW_PRESS;
+        input_.buttonPressed[button] |= action == GLFW_PRESS;
+    }
+    void letGo() {
+        input_.held.clear();
+        std::fill(std::begin(input_.buttonHeld), std::end(input_.buttonHeld), false);
+    }
+
+    bool down(int key) const { return glfwGetKey(handle(), key) == GLFW_PRESS; }
+    std::pair<int, int> framebufferSize() const {
+        int w = 0, h = 0;
+        glfwGetFramebufferSize(handle(), &w, &h);
+        return {w, h};
+    }
+    double pixelsPerCoordinate() const {
+        int w = 0, h = 0;
+        glfwGetWindowSize(handle(), &w, &h);
+        return w > 0 ? static_cast<double>(width()) / w : 1;
+    }
+
+    GlfwLibrary library_;
+    Handle window_;
+    Input input_;
+    double cursorX_ = 0, cursorY_ = 0;  // as the desktop measures
+    int left_ = 0, top_ = 0, width_, height_;
+    bool vsync_ = true;
+};
+
+}  // namespace
+
+std::unique_ptr<Window> Window::open(const Options& options) {
+    return std::make_unique<GlfwWindow>(options);
+}
+
+}  // namespace sunder::gl

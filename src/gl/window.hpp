@@ -1,0 +1,97 @@
+#pragma once
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "gl/context.hpp"
+
+struct GLFWwindow;
+
+namespace sunder::gl {
+
+/// A key by what is printed on it: letters, digits and signs by their ASCII code (letters in upper
+/// case, whatever the layout), the others by these.
+enum class Key : int {
+    None = 0,
+    Space = ' ',
+    Escape = 256,
+    Enter,
+    Tab,
+    Home,
+    Left,
+    Right,
+    Up,
+    Down,
+    PageUp,
+    PageDown,
+    F1,
+    F2,
+    F3,
+    F4,
+    F5,
+    F6,
+    F7,
+    F8,
+    F9,
+    F10,
+    F11,
+    F12,
+};
+constexpr Key key(char printed) {
+    return static_cast<Key>(printed);
+}
+
+enum class MouseButton { Left, Right, Middle };
+inline constexpr int kMouseButtons = 3;
+
+/// What mouse and keyboard did since the last Window::poll(), and what is held now. Places are in
+/// pixels of the framebuffer, from the top left.
+struct Input {
+    std::vector<Key> pressed;  ///< in order; repeats of a held key are left out
+    std::set<Key> held;
+    bool shift = false, control = false, alt = false;
+    bool buttonPressed[kMouseButtons] = {}, buttonHeld[kMouseButtons] = {};
+    double x = 0, y = 0;          ///< the pointer
+    double moveX = 0, moveY = 0;  ///< how far it went
+    double wheel = 0;             ///< notches, away from the hand is positive
+};
+
+/// A window with a GL 4.1 core debug context, and its mouse and keyboard. Main thread only. The
+/// default framebuffer holds 8-bit sRGB values as they are; it has neither depth nor samples.
+class Window : public Context {
+  public:
+    struct Options {
+        std::string title;
+        int width = 1280, height = 720;  ///< as the desktop measures
+        bool fullScreen = false, vsync = true;
+    };
+    /// Throws ContextError, with one sentence, where there is no screen or no GL 4.1.
+    static std::unique_ptr<Window> open(const Options&);
+
+    /// Takes in what happened since the last time. While the window is minimised it waits for up to
+    /// 0.1 s, as there is nothing to draw.
+    virtual void poll() = 0;
+    /// Nothing is held once the focus is lost.
+    virtual const Input& input() const = 0;
+    virtual void swap() = 0;
+
+    virtual bool closing() const = 0;
+    virtual bool minimised() const = 0;
+    virtual bool focused() const = 0;
+    virtual int width() const = 0;       ///< pixels of the framebuffer; 0 while minimised
+    virtual int height() const = 0;      ///< likewise
+    virtual int plainWidth() const = 0;  ///< as Options have it, of the window when not full screen
+    virtual int plainHeight() const = 0;  ///< likewise
+    /// By how much letters must be larger than 96 dots per inch ask for, in framebuffer pixels.
+    virtual float contentScale() const = 0;
+
+    virtual bool fullScreen() const = 0;
+    virtual void setFullScreen(bool) = 0;
+    virtual void setVsync(bool) = 0;
+
+    /// For the interface's own backend.
+    virtual GLFWwindow* handle() const = 0;
+};
+
+}  // namespace sunder::gl

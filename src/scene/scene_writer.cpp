@@ -1,0 +1,211 @@
+#include "scene/scene_writer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scene/wording.hpp"
+
+namespace sunder {
+namespace {
+
+constexpr std::string_view kSides[] = {"left", "right", "bottom", "top", "back", "front"};
+constexpr std::string_view kEvents[] = {"impulse", "force", "velocity"};
+constexpr std::string_view kShapes[] = {"sphere", "box", "capsule"};
+
+/// TOML wants a digit on both sides of a decimal point; "1e12" and "5" it takes for numbers.
+std::string text(double value) {
+    return formatNumber(value);
+}
+std::string text(int value) {
+    return std::to_string(value);
+}
+std::string text(bool value) {
+    return value ? "true" : "false";
+}
+std::string text(std::string_view value) {
+    std::string quoted = "\"";
+    for (const char c : value) {
+        if (c == '"' || c == '\\') quoted += '\\';
+        quoted += c;
+    }
+    return quoted + '"';
+}
+template <class Number>
+std::string text(const Eigen::Matrix<Number, 3, 1>& v) {
+    return "[" + text(v[0]) + ", " + text(v[1]) + ", " + text(v[2]) + "]";
+}
+
+/// Lines "key = value", and headings.
+class Writer {
+  public:
+    void heading(const std::string& name) { out_ += "\n" + name + "\n"; }
+    template <class Value>
+    void add(std::string_view key, const Value& value) {
+        out_ += std::string(key) + " = " + text(value) + "\n";
+    }
+    void addRaw(std::string_view key, const std::string& value) {
+        out_ += std::string(key) + " = " + value + "\n";
+    }
+    std::string take() { return std::move(out_); }
+
+  private:
+    std::string out_;
+};
+
+void addMaterial(Writer& out, const Material& material) {
+    if (!material.description.empty())
+        out.add("description", std::string_view(material.description));
+    out.add("law", toString(material.law));
+    out.add("fracture", toString(material.fracture));
+    out.add("clusters", toString(material.clusters));
+    out.add("surface", toString(material.surface));
+    for (const MaterialField& field : materialFields()) {
+        if (field.scalar)
+            out.add(field.key, material.*field.scalar);
+        else
+            out.add(field.key, material.*field.vector);
+    }
+}
+
+void addBody(Writer& out, const BodyDescription& body, const std::vector<std::string>& materials) {
+    out.heading("[[body]]");
+    out.add("name", std::string_view(body.name));
+    out.add("material", std::string_view(materials[body.material]));
+    out.add("size", body.size);
+    out.add("cells", body.cells);
+    out.add("position", body.position);
+    std::string anchors;
+    for (const Side side : body.anchors)
+        anchors += (anchors.empty() ? "" : ", ") + text(kSides[static_cast<int>(side)]);
+    out.addRaw("anchor", "[" + anchors + "]");
+    for (const RegionDescription& region : body.regions) {
+        out.heading("[[body.region]]");
+        out.add("from", region.from);
+        out.add("to", region.to);
+        if (region.material < 0)
+            out.add("empty", true);
+        else
+            out.add("material", std::string_view(materials[region.material]));
+    }
+}
+
+void addObject(Writer& out, const ObjectDescription& object) {
+    out.heading("[[object]]");
+    out.add("name", std::string_view(object.name));
+    out.add("shape", kShapes[static_cast<int>(object.shape)]);
+    if (object.shape == ObjectShape::Box) {
+        out.add("size", Vec3(2 * object.halfSize));
+    } else {
+        out.add("radius", object.halfSize[0]);
+        if (object.shape == ObjectShape::Capsule) out.add("length", 2 * object.halfSize[1]);
+    }
+    if (object.position) out.add("position", *object.position);
+    // The reader turns about x, then y, then z.
+    const Mat3 R = object.orientation.toRotationMatrix();
+    const Vec3 degrees =
+        Vec3(std::atan2(R(2, 1), R(2, 2)), std::asin(std::clamp(-R(2, 0), -1., 1.)),
+             std::atan2(R(1, 0), R(0, 0))) *
+        180 / std::numbers::pi;
+    if (!degrees.isZero(0)) out.add("rotation", degrees);
+    if (object.fixed) {
+        out.add("fixed", true);
+    } else {
+        out.add("mass", object.mass);
+        out.add("drag", object.drag);
+        if (object.position) {
+            out.add("velocity", object.velocity);
+            out.add("spin", object.spin);
+        }
+        if (object.hungFrom) out.add("hung_from", *object.hungFrom);
+    }
+    out.add("friction", object.friction);
+    out.add("restitution", object.restitution);
+    out.add("colour", object.colour);
+}
+
+void addEvents(Writer& out, const WorldDescription& world) {
+    for (const EventDescription& event : world.events) {
+        out.heading("[[event]]");
+        out.add("time", event.time);
+        out.add("duration", event.duration);
+        out.add("kind", kEvents[static_cast<int>(event.kind)]);
+        out.add("body", std::string_view(world.bodies[event.body].name));
+        out.add("point", event.point);
+        out.add("radius", event.radius);
+        out.add("vector", event.vector);
+    }
+    for (const ThrowDescription& thrown : world.throws) {
+        out.heading("[[event]]");
+        out.add("time", thrown.time);
+        out.add("kind", std::string_view("throw"));
+        out.add("object", std::string_view(world.objects[thrown.object].name));
+        out.add("from", thrown.from);
+        out.add("velocity", thrown.velocity);
+        out.add("spin", thrown.spin);
+    }
+}
+
+/// A name for each material that a scene may give it: its own, with a number where two share one,
+/// or it is a path.
+std::vector<std::string> namesFor(const std::vector<Material>& materials) {
+    std::vector<std::string> names;
+    for (const Material& material : materials) {
+        std::string name;
+        for (const char c : material.name)
+            name += c == '/' || c == '\\' || c == '.' || c == '"' ? '-' : c;
+        if (name.empty()) name = "material";
+        const std::string plain = name;
+        for (int number = 2; std::find(names.begin(), names.end(), name) != names.end(); ++number)
+            name = plain + "-" + std::to_string(number);
+        names.push_back(name);
+    }
+    return names;
+}
+
+}  // namespace
+
+std::string writeMaterial(const Material& material) {
+    Writer out;
+    addMaterial(out, material);
+    return out.take();
+}
+
+std::string writeScene(const Scene& scene) {
+    const WorldDescription& world = scene.world;
+    const std::vector<std::string> materials = namesFor(world.materials);
+    Writer out;
+    out.add("title", std::string_view(scene.title));
+    out.add("frames", scene.frames);
+    out.add("gravity", world.gravity);
+    out.addRaw("seed", std::to_string(world.seed));
+    out.heading("[solver]");
+    out.add("substeps", scene.substeps);
+    out.add("fracture_interval", world.fractureInterval);
+    out.heading("[ground]");
+    out.add("enabled", world.ground);
+    out.add("friction", world.groundFriction);
+    if (const auto& room = world.room) {
+        out.heading("[room]");
+        out.addRaw("x", "[" + text(room->x[0]) + ", " + text(room->x[1]) + "]");
+        out.addRaw("z", "[" + text(room->z[0]) + ", " + text(room->z[1]) + "]");
+        out.add("friction", room->friction);
+        if (room->ceiling) out.add("ceiling", *room->ceiling);
+    }
+    out.heading("[contact]");
+    out.add("enabled", world.contact);
+    out.heading("[camera]");
+    out.add("position", scene.camera.position);
+    out.add("target", scene.camera.target);
+    out.add("field_of_view", scene.camera.fieldOfView);
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        out.heading("[material." + text(std::string_view(materials[i])) + "]");
+        addMaterial(out, world.materials[i]);
+    }
+    for (const BodyDescription& body : world.bodies) addBody(out, body, materials);
+    for (const ObjectDescription& object : world.objects) addObject(out, object);
+    addEvents(out, world);
+    return out.take();
+}
+
+}  // namespace sunder

@@ -1,0 +1,73 @@
+#include "view/clock.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace sunder::view {
+
+void Clock::setStep(double step) {
+    step_ = step;
+    owed_ = cost_ = 0;
+}
+
+void Clock::setSpeed(double speed) {
+    speed_ = std::clamp(speed, kSlowest, 1.0);
+    recent_.clear();
+}
+
+int Clock::mostSteps() const {
+    double steps = kMostTime / step_;
+    if (cost_ > 0) steps = std::min(steps, kMostWork / cost_);
+    return std::max(1, static_cast<int>(steps));
+}
+
+int Clock::tick(double elapsed) {
+    if (paused_) {
+        owed_ = 0;
+        recent_.clear();
+        return std::exchange(once_, 0);
+    }
+    once_ = 0;
+    if (fixed_) return std::max(1, static_cast<int>(std::lround(speed_ / 60 / step_)));
+
+    const double wanted = std::max(elapsed, 0.0) * speed_;
+    owed_ += wanted;
+    // Without the small share, 50 steps of 1/3000 s would be a hair more than 1/60 s.
+    const double due = std::floor(owed_ / step_ + 1e-6);
+    const int steps = static_cast<int>(std::min<double>(due, mostSteps()));
+    owed_ = std::max(0.0, owed_ - steps * step_);
+    if (steps < due) {
+        const double rest = std::fmod(owed_, step_);
+        dropped_ += owed_ - rest;
+        owed_ = rest;
+    }
+    recent_.push_back({elapsed, wanted, steps * step_});
+    double total = 0;
+    for (const Frame& frame : recent_) total += frame.elapsed;
+    while (recent_.size() > 1 && total - recent_.front().elapsed > 1) {
+        total -= recent_.front().elapsed;
+        recent_.pop_front();
+    }
+    return steps;
+}
+
+void Clock::took(int steps, double seconds) {
+    if (steps < 1) return;
+    const double cost = std::max(seconds, 0.0) / steps;
+    // Quickly up, slowly down: one cheap frame is no reason to try a long one.
+    const double weight = cost > cost_ ? 0.5 : 0.1;
+    cost_ = cost_ > 0 ? cost_ + weight * (cost - cost_) : cost;
+}
+
+double Clock::share() const {
+    double wanted = 0, simulated = 0;
+    for (const Frame& frame : recent_) {
+        wanted += frame.wanted;
+        simulated += frame.simulated;
+    }
+    // A step or two may still be owed.
+    return wanted > 4 * step_ ? std::min(1.0, (simulated + 2 * step_) / wanted) : 1;
+}
+
+}  // namespace sunder::view

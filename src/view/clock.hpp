@@ -1,0 +1,60 @@
+#pragma once
+#include <deque>
+
+namespace sunder::view {
+
+/// Says how many substeps a frame has to simulate so that time in the window runs as time outside
+/// does, or slower, or not at all. Where the machine cannot keep up, time is dropped: what a frame
+/// simulates has a limit, so a slow frame never asks the next one for more work than it had itself.
+class Clock {
+  public:
+    /// `step`: s of simulated time, one substep.
+    explicit Clock(double step) : step_(step) {}
+
+    double step() const { return step_; }
+    void setStep(double step);
+
+    bool paused() const { return paused_; }
+    void pause(bool paused) { paused_ = paused; }
+    /// Simulated seconds per second, kSlowest to 1.
+    double speed() const { return speed_; }
+    void setSpeed(double speed);
+    static constexpr double kSlowest = 1.0 / 64;
+
+    /// While paused: the next frame simulates so many substeps.
+    void stepOnce(int steps) { once_ += steps; }
+    /// Each frame simulates 1/60 s times speed() from now on, however long it takes: for a video.
+    void setFixed(bool fixed) { fixed_ = fixed; }
+
+    /// Substeps for a frame that begins `elapsed` s after the last one did.
+    int tick(double elapsed);
+    /// How long those took, s.
+    void took(int steps, double seconds);
+
+    /// Simulated time over what was wanted in the last second or so, 0 to 1; 1 while paused.
+    double share() const;
+    /// Whether time is being dropped, enough to be worth a word.
+    bool behind() const { return share() < 0.95; }
+    /// s of simulated time left out so far.
+    double dropped() const { return dropped_; }
+
+    /// A frame simulates no more than this, s of simulated time …
+    static constexpr double kMostTime = 0.1;
+    /// … and no more than takes about this long, s.
+    static constexpr double kMostWork = 0.05;
+
+  private:
+    struct Frame {
+        double elapsed, wanted, simulated;  ///< s
+    };
+    int mostSteps() const;
+
+    double step_, speed_ = 1;
+    bool paused_ = false, fixed_ = false;
+    int once_ = 0;
+    double owed_ = 0, dropped_ = 0;  ///< s of simulated time
+    double cost_ = 0;                ///< s per substep, smoothed; 0: not known yet
+    std::deque<Frame> recent_;       ///< about a second
+};
+
+}  // namespace sunder::view

@@ -1,0 +1,219 @@
+#include "view/controls.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunder::view {
+namespace {
+
+using gl::Input;
+using gl::Key;
+
+constexpr double kShotsApart = 0.12;  // s, while the mouse is dragged
+/// In worlds with more cells than this nothing is sought under a mouse that presses no button.
+constexpr int kMostHoveredCells = 20000;
+
+template <class Value, std::size_t Count>
+void next(Session& session, const char* name, Value& value, const Value (&values)[Count]) {
+    const auto at = std::find(values, values + Count, value) - values;
+    value = values[(at + 1) % static_cast<std::ptrdiff_t>(Count)];
+    session.changed(name, toString(value));
+}
+
+void nextSolver(Session& session) {
+    const auto& known = solvers();
+    const std::string& now = session.stage->simulation.solverInfo().name;
+    const auto at = std::find_if(known.begin(), known.end(),
+                                 [&](const SolverInfo& solver) { return solver.name == now; });
+    session.setSolver(known[(at - known.begin() + 1) % known.size()].name);
+}
+
+/// True: quit.
+bool press(Session& session, Key key, const Input& input) {
+    Settings& settings = session.settings;
+    if (input.control) return key == gl::key('Q');
+    if (key >= gl::key('1') && key <= gl::key('9')) {
+        session.hitPreset(static_cast<int>(key) - '0');
+        return false;
+    }
+    switch (static_cast<int>(key)) {
+        case ' ':
+            session.setPaused(!session.clock.paused());
+            break;
+        case '.':
+            session.stepOnce(session.stage->simulation.stepsPerFrame());
+            break;
+        case ',':
+            session.stepOnce(1);
+            break;
+        case '[':
+            session.setSpeed(session.clock.speed() / 2);
+            break;
+        case ']':
+            session.setSpeed(session.clock.speed() * 2);
+            break;
+        case 'R':
+            session.restart();
+            break;
+        case 'N':
+            session.newSeed();
+            break;
+        case 'T':
+            next(session, "tool", settings.tool, kTools);
+            break;
+        case 'M':
+            next(session, "mesh", settings.mesh, {DrawnMesh::Display, DrawnMesh::Simulation});
+            break;
+        case 'L':
+            next(session, "style", settings.style,
+                 {DrawStyle::Solid, DrawStyle::Wireframe, DrawStyle::Overlay});
+            break;
+        case 'C':
+            next(session, "colour", settings.colour, kWallColours);
+            break;
+        case 'G':
+            nextSolver(session);
+            break;
+        case 'P':
+        case static_cast<int>(Key::F12):
+            session.takePicture();
+            break;
+        case 'V':
+            session.toggleRecording();
+            break;
+        case 'H':
+        case static_cast<int>(Key::F1):
+            session.help = !session.help;
+            break;
+        case static_cast<int>(Key::Home):
+            session.camera.reset();
+            break;
+        case static_cast<int>(Key::F11):
+            session.setFullScreen(!session.window.fullScreen());
+            break;
+        case static_cast<int>(Key::Tab):
+            settings.panel = !settings.panel;
+            session.changed("panel", settings.panel ? "true" : "false");
+            break;
+        case static_cast<int>(Key::Escape):
+            if (session.help)
+                session.help = false;
+            else if (session.window.fullScreen())
+                session.setFullScreen(false);
+            break;
+        default:
+            break;
+    }
+    return false;
+}
+
+/// Camera by held keys.
+void fly(OrbitCamera& camera, const Input& input, double elapsed) {
+    const auto axis = [&](Key back, Key ahead) {
+        return static_cast<double>(input.held.count(ahead)) -
+               static_cast<double>(input.held.count(back));
+    };
+    const double step = std::min(elapsed, 0.1) * camera.distance() * 0.8;
+    camera.move(step * axis(gl::key('S'), gl::key('W')), step * axis(gl::key('A'), gl::key('D')),
+                step * axis(gl::key('Q'), gl::key('E')));
+    const double turn = 1.5 * std::min(elapsed, 0.1);
+    camera.orbit(turn * axis(Key::Left, Key::Right), turn * axis(Key::Down, Key::Up));
+}
+
+void turnWheel(Session& session, const Input& input) {
+    Settings& settings = session.settings;
+    const double factor = std::pow(1.1, input.wheel);
+    if (input.control) {
+        settings.radius = std::clamp(settings.radius * factor, 0.02, 2.0);
+        session.log.add("radius", {{"value", settings.radius}});
+    } else if (input.shift) {
+        const bool shot = settings.tool == Tool::Shoot;
+        double& strength = shot ? settings.shot : settings.push;
+        strength = std::clamp(strength * factor, 1.0, shot ? 150.0 : 2000.0);
+        session.log.add("strength", {{"value", strength}});
+    } else {
+        session.camera.zoom(factor);
+    }
+}
+
+}  // namespace
+
+bool Controls::handle(Session& session, const Interface& ui, double elapsed) {
+    sinceShot_ += elapsed;
+    handleMouse(session, ui);
+    return handleKeys(session, ui, elapsed);
+}
+
+bool Controls::handleKeys(Session& session, const Interface& ui, double elapsed) {
+    if (ui.wantsKeyboard()) return true;
+    const Input& input = session.window.input();
+    for (const Key key : input.pressed)
+        if (press(session, key, input)) return false;
+    if (!input.control) fly(session.camera, input, elapsed);
+    return true;
+}
+
+void Controls::handleMouse(Session& session, const Interface& ui) {
+    const Input& input = session.window.input();
+    constexpr int kLeft = static_cast<int>(gl::MouseButton::Left);
+    constexpr int kRight = static_cast<int>(gl::MouseButton::Right);
+    constexpr int kMiddle = static_cast<int>(gl::MouseButton::Middle);
+    const bool over = session.area.contains(input.x, input.y) && !ui.wantsMouse();
+
+    // Where the mouse points; a ray costs a GPU solver's state, so not while nothing moves it.
+    const bool moved = input.moveX != 0 || input.moveY != 0;
+    const bool few = session.stage->simulation.world().cellCount() <= kMostHoveredCells;
+    const bool pressed = input.buttonPressed[kLeft] || drag_ == Drag::Hit;
+    if (!over && drag_ != Drag::Hit) {
+        session.hovered.reset();
+    } else if (pressed || (few && drag_ == Drag::None && (moved || ++sinceLook_ > 15))) {
+        sinceLook_ = 0;
+        session.hovered = session.stage->pick(session.camera.description().position,
+                                              session.rayAt(input.x, input.y));
+    }
+
+    if (over && input.wheel != 0) turnWheel(session, input);
+    if (over && input.buttonPressed[kLeft]) {
+        drag_ = session.hovered ? Drag::Hit : Drag::Orbit;
+        if (session.hovered && input.alt) {
+            const Tool tool = std::exchange(session.settings.tool, Tool::Look);
+            shoot(session);
+            session.settings.tool = tool;
+            drag_ = Drag::None;
+        } else if (drag_ == Drag::Hit && session.settings.tool != Tool::Push &&
+                   session.settings.tool != Tool::Pull) {
+            shoot(session);
+        }
+    }
+    if (over && input.buttonPressed[kRight]) drag_ = input.shift ? Drag::Pan : Drag::Orbit;
+    if (over && input.buttonPressed[kMiddle]) drag_ = Drag::Pan;
+    // A press and its release may come in one frame: what it started is done.
+    if (!input.buttonHeld[kLeft] && !input.buttonHeld[kRight] && !input.buttonHeld[kMiddle])
+        drag_ = Drag::None;
+
+    if (drag_ == Drag::Orbit)
+        session.camera.orbit(-5 * input.moveX / session.area.height,
+                             5 * input.moveY / session.area.height);
+    if (drag_ == Drag::Pan)
+        session.camera.pan(input.moveX / session.area.height, -input.moveY / session.area.height);
+    if (drag_ == Drag::Hit && session.settings.tool == Tool::Shoot && moved &&
+        sinceShot_ > kShotsApart)
+        shoot(session);
+}
+
+void Controls::shoot(Session& session) {
+    if (!session.hovered) return;
+    const Input& input = session.window.input();
+    sinceShot_ = 0;
+    session.hit(*session.hovered, session.rayAt(input.x, input.y), 0);
+}
+
+void Controls::holdHits(Session& session, double seconds) {
+    const Tool tool = session.settings.tool;
+    if (drag_ != Drag::Hit || !session.hovered || seconds <= 0) return;
+    if (tool != Tool::Push && tool != Tool::Pull) return;
+    const Input& input = session.window.input();
+    session.hit(*session.hovered, session.rayAt(input.x, input.y), seconds);
+}
+
+}  // namespace sunder::view

@@ -1,0 +1,20 @@
+#include "view/event_log.hpp"
+
+#include "core/types.hpp"
+
+namespace sunder::view {
+
+EventLog::EventLog(const std::filesystem::path& path) {
+    if (path.empty()) return;
+    file_.emplace(path, std::ios::trunc);
+    if (!*file_) throw InputError("--log: cannot write '" + path.string() + "'");
+}
+
+void EventLog::add(const char* name, nlohmann::ordered_json fields) {
+    if (!file_) return;
+    nlohmann::ordered_json line = {{"event", name}};
+    line.update(fields);
+    *file_ << line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
+}
+
+}  // namespace sunder::view

@@ -1,0 +1,24 @@
+#pragma once
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace sunder::view {
+
+/// `sunder view --log`: a JSON object per line, for tests and bug reports. Nothing without a file.
+class EventLog {
+  public:
+    EventLog() = default;
+    /// Throws InputError when it cannot be written.
+    explicit EventLog(const std::filesystem::path&);
+
+    bool enabled() const { return file_.has_value(); }
+    /// `{"event": name, …}`, there at once for whoever reads along.
+    void add(const char* name, nlohmann::ordered_json fields = nlohmann::ordered_json::object());
+
+  private:
+    std::optional<std::ofstream> file_;
+};
+
+}  // namespace sunder::view

@@ -1,0 +1,230 @@
+#include "view/interface.hpp"
+
+#include <glad/gl.h>
+#include <imgui.h>
+#include <imgui_impl_glfw.h>
+#include <imgui_impl_opengl3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace sunder::view {
+namespace {
+
+constexpr float kLetters = 15;  // pixels at scale 1
+
+/// A font that a system of this kind has; null: ImGui's own, which has one size.
+const char* systemFont() {
+    constexpr const char* kKnown[] = {
+        "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/TTF/DejaVuSans.ttf",
+        "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
+        "/System/Library/Fonts/Supplemental/Arial.ttf", "C:/Windows/Fonts/segoeui.ttf"};
+    std::error_code error;
+    for (const char* path : kKnown)
+        if (std::filesystem::is_regular_file(path, error)) return path;
+    return nullptr;
+}
+
+void loadFont(float scale) {
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    atlas.Clear();
+    // Latin-1, dashes and quotes.
+    static const ImWchar ranges[] = {0x20, 0xff, 0x2010, 0x2027, 0};
+    const float pixels = std::round(kLetters * scale);
+    if (const char* path = systemFont()) {
+        atlas.AddFontFromFileTTF(path, pixels, nullptr, ranges);
+        return;
+    }
+    ImFontConfig config;
+    config.SizePixels = pixels;
+    atlas.AddFontDefault(&config);
+}
+
+ImVec4 mix(const ImVec4& a, float alpha) {
+    return {a.x, a.y, a.z, alpha};
+}
+
+void setStyle(float scale) {
+    ImGuiStyle style;
+    ImGui::StyleColorsDark(&style);
+    style.WindowRounding = 0;
+    style.FrameRounding = style.GrabRounding = style.TabRounding = 3;
+    style.PopupRounding = 4;
+    style.WindowBorderSize = 0;
+    style.WindowPadding = {12, 10};
+    style.FramePadding = {8, 4};
+    style.ItemSpacing = {8, 6};
+    style.ItemInnerSpacing = {6, 4};
+    style.ScrollbarSize = 12;
+    style.GrabMinSize = 12;
+    style.WindowTitleAlign = {0.5f, 0.5f};
+
+    const ImVec4 accent(0.93f, 0.56f, 0.20f, 1), ground(0.105f, 0.11f, 0.125f, 1);
+    const ImVec4 field(0.19f, 0.20f, 0.23f, 1), raised(0.25f, 0.265f, 0.30f, 1);
+    ImVec4* const colours = style.Colors;
+    colours[ImGuiCol_Text] = {0.92f, 0.92f, 0.90f, 1};
+    colours[ImGuiCol_TextDisabled] = {0.60f, 0.61f, 0.63f, 1};
+    colours[ImGuiCol_WindowBg] = ground;
+    colours[ImGuiCol_PopupBg] = {0.13f, 0.135f, 0.155f, 0.98f};
+    colours[ImGuiCol_FrameBg] = field;
+    colours[ImGuiCol_FrameBgHovered] = raised;
+    colours[ImGuiCol_FrameBgActive] = raised;
+    colours[ImGuiCol_Button] = field;
+    colours[ImGuiCol_ButtonHovered] = raised;
+    colours[ImGuiCol_ButtonActive] = mix(accent, 0.8f);
+    colours[ImGuiCol_Header] = field;
+    colours[ImGuiCol_HeaderHovered] = raised;
+    colours[ImGuiCol_HeaderActive] = raised;
+    colours[ImGuiCol_SliderGrab] = accent;
+    colours[ImGuiCol_SliderGrabActive] = accent;
+    colours[ImGuiCol_CheckMark] = accent;
+    colours[ImGuiCol_Tab] = ground;
+    colours[ImGuiCol_TabHovered] = raised;
+    colours[ImGuiCol_TabActive] = raised;
+    colours[ImGuiCol_PlotLines] = accent;
+    colours[ImGuiCol_PlotHistogram] = accent;
+    colours[ImGuiCol_TextSelectedBg] = mix(accent, 0.35f);
+    colours[ImGuiCol_Separator] = raised;
+    style.ScaleAllSizes(scale);
+    ImGui::GetStyle() = style;
+}
+
+}  // namespace
+
+Interface::Interface(gl::Window& window) : window_(window) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;  // Settings remember what is worth it
+    io.ConfigWindowsMoveFromTitleBarOnly = true;
+    ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
+    ImGui_ImplOpenGL3_Init("#version 410 core");
+}
+
+Interface::~Interface() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void Interface::setScale(float scale) {
+    if (scale == scale_) return;
+    scale_ = scale;
+    loadFont(scale);
+    setStyle(scale);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
+void Interface::begin(double scale) {
+    // Where the desktop's coordinates are larger than pixels, it scales the interface itself.
+    const float own = window_.contentScale() / std::max(1.f, density());
+    setScale(std::clamp(own * static_cast<float>(scale), 0.5f, 8.f));
+    widgets_.clear();
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+}
+
+void Interface::draw() {
+    ImGui::Render();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDisable(GL_FRAMEBUFFER_SRGB);  // its colours are sRGB as they are
+    glViewport(0, 0, window_.width(), window_.height());
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+float Interface::density() const {
+    const float density = ImGui::GetIO().DisplayFramebufferScale.x;
+    return density > 0 ? density : 1;
+}
+
+bool Interface::wantsMouse() const {
+    return ImGui::GetIO().WantCaptureMouse;
+}
+
+bool Interface::wantsKeyboard() const {
+    return ImGui::GetIO().WantTextInput;
+}
+
+void Interface::mark(const std::string& name) {
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    if (!ImGui::IsItemVisible()) return;
+    const float d = density();
+    widgets_[name] = {low.x * d, low.y * d, high.x * d, high.y * d};
+}
+
+void Interface::tooltip(std::string_view text) const {
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+bool Interface::button(const std::string& name, const std::string& label, const std::string& help) {
+    const bool clicked = ImGui::Button((label + "###" + name).c_str());
+    mark(name);
+    tooltip(help);
+    return clicked;
+}
+
+bool Interface::checkbox(const std::string& name, const std::string& label, bool& value,
+                         const std::string& help) {
+    const bool clicked = ImGui::Checkbox((label + "###" + name).c_str(), &value);
+    mark(name);
+    tooltip(help);
+    return clicked;
+}
+
+int Interface::choice(const std::string& name, std::span<const std::string_view> labels, int chosen,
+                      std::span<const std::string_view> help) {
+    int clicked = -1;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
+        const std::string label(labels[i]);
+        const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * style.FramePadding.x;
+        const float gap = length(3);
+        if (i > 0 && ImGui::GetItemRectMax().x + gap + width <= end) ImGui::SameLine(0, gap);
+        if (i == chosen) {
+            const ImVec4 accent = ImGui::GetStyleColorVec4(ImGuiCol_CheckMark);
+            ImGui::PushStyleColor(ImGuiCol_Button, accent);
+            ImGui::PushStyleColor(ImGuiCol_ButtonHovered, accent);
+            ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.08f, 0.07f, 0.05f, 1));
+        }
+        const std::string id = name + "." + label;
+        if (ImGui::Button((label + "###" + id).c_str())) clicked = i;
+        if (i == chosen) ImGui::PopStyleColor(3);
+        mark(id);
+        if (i < static_cast<int>(help.size())) tooltip(help[i]);
+    }
+    return clicked;
+}
+
+bool Interface::slider(const std::string& name, const std::string& label, double& value, double min,
+                       double max, std::string_view unit, bool logarithmic, std::string_view help) {
+    const std::string format = unit == "1" ? "%.4g" : "%.4g " + std::string(unit);
+    ImGui::TextUnformatted(label.c_str());
+    tooltip(help);
+    ImGui::SetNextItemWidth(-1);
+    const ImGuiSliderFlags flags =
+        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat |
+        (logarithmic ? static_cast<int>(ImGuiSliderFlags_Logarithmic) : 0);
+    const bool changed = ImGui::SliderScalar(("###" + name).c_str(), ImGuiDataType_Double, &value,
+                                             &min, &max, format.c_str(), flags);
+    mark(name);
+    tooltip(help);
+    return changed;
+}
+
+void Interface::heading(const char* text) {
+    ImGui::Dummy({0, length(4)});
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+}
+
+}  // namespace sunder::view

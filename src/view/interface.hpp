@@ -1,0 +1,64 @@
+#pragma once
+#include <array>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "gl/window.hpp"
+
+namespace sunder::view {
+
+/// Dear ImGui in a window, and what all panels share. It draws into the default framebuffer.
+class Interface {
+  public:
+    /// left, top, right, bottom in pixels of the framebuffer, from the top left.
+    using Rectangle = std::array<float, 4>;
+
+    explicit Interface(gl::Window&);
+    ~Interface();
+    Interface(const Interface&) = delete;
+    Interface& operator=(const Interface&) = delete;
+
+    /// Begins a frame. `scale` is on top of the screen's own; letters are made anew when it
+    /// changes.
+    void begin(double scale);
+    /// Ends it, and draws.
+    void draw();
+
+    /// Pixels (of the interface) for what is this long on a plain screen at scale 1.
+    float length(double plain) const { return static_cast<float>(plain) * scale_; }
+    /// Pixels of the framebuffer over those of the interface.
+    float density() const;
+    bool wantsMouse() const;
+    /// Somebody types into a field.
+    bool wantsKeyboard() const;
+
+    /// Where the widget drawn last is goes by this name until the next frame.
+    void mark(const std::string& name);
+    const std::map<std::string, Rectangle>& widgets() const { return widgets_; }
+
+    // --- widgets that more than one panel uses; true: clicked ---
+    bool button(const std::string& name, const std::string& label, const std::string& help = {});
+    bool checkbox(const std::string& name, const std::string& label, bool& value,
+                  const std::string& help = {});
+    /// Side by side, on as many lines as it takes; the chosen one stands out. −1: nothing new.
+    int choice(const std::string& name, std::span<const std::string_view> labels, int chosen,
+               std::span<const std::string_view> help = {});
+    /// `unit` as in a material's table; "1": a plain number. True while it is being changed.
+    bool slider(const std::string& name, const std::string& label, double& value, double min,
+                double max, std::string_view unit, bool logarithmic, std::string_view help);
+    /// A heading with room above it.
+    void heading(const char* text);
+    /// Over the last widget, after the mouse has rested on it.
+    void tooltip(std::string_view text) const;
+
+  private:
+    void setScale(float scale);
+
+    gl::Window& window_;
+    float scale_ = 0;
+    std::map<std::string, Rectangle> widgets_;
+};
+
+}  // namespace sunder::view

@@ -1,0 +1,32 @@
+#include <imgui.h>
+
+#include "view/panels/panels.hpp"
+
+namespace sunder::view {
+
+void drawHitTools(Session& session, Interface& ui) {
+    Settings& settings = session.settings;
+    ui.heading("Mouse on the wall");
+    constexpr std::string_view kLabels[] = {"Shoot", "Push", "Pull", "Look"};
+    constexpr std::string_view kHelp[] = {
+        "A blow where you click, one after the other while you drag.",
+        "Presses as long as you hold the button.", "Draws it towards you.",
+        "Shows the stress in the cell that you click."};
+    const int chosen = ui.choice("tool", kLabels, static_cast<int>(settings.tool), kHelp);
+    if (chosen >= 0) {
+        settings.tool = kTools[chosen];
+        session.changed("tool", toString(settings.tool));
+    }
+    if (settings.tool == Tool::Shoot)
+        ui.slider("strength", "Strength", settings.shot, 1, 150, "m/s", true,
+                  "Speed that the middle of the spot gets. Shift and wheel.");
+    else
+        ui.slider("strength", "Strength", settings.push, 1, 2000, "m/s²", true,
+                  "Acceleration of the middle of the spot while you hold the button. Shift and "
+                  "wheel.");
+    ui.slider("radius", "Radius", settings.radius, 0.02, 2, "m", true,
+              "Size of the spot: the ring around the mouse. Ctrl and wheel.");
+    ImGui::TextDisabled("Keys 1 to 9 hit at nine places.");
+}
+
+}  // namespace sunder::view

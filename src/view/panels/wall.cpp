@@ -1,0 +1,142 @@
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "view/panels/panels.hpp"
+
+namespace sunder::view {
+namespace {
+
+/// What the fields hold until "Build" is pressed. Belongs to the body of a scene that it was taken
+/// from.
+struct Draft {
+    std::string scene;
+    int body = 0;
+    Vec3 size{1, 1, 1};
+    IVec3 cells{1, 1, 1};
+    std::uint64_t seed = 1;
+};
+
+void take(Draft& draft, const Scene& scene, int body) {
+    const BodyDescription& from = scene.world.bodies[body];
+    draft = {scene.name, body, from.size, from.cells, scene.world.seed};
+}
+
+/// Regions keep their share of the body.
+void resize(BodyDescription& body, const Vec3& size, const IVec3& cells) {
+    for (RegionDescription& region : body.regions)
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto scaled = [&](int cell) {
+                return std::min(cell * cells[axis] / body.cells[axis], cells[axis] - 1);
+            };
+            region.from[axis] = scaled(region.from[axis]);
+            region.to[axis] = std::max(scaled(region.to[axis]), region.from[axis]);
+        }
+    body.size = size;
+    body.cells = cells;
+}
+
+void drawScenes(Session& session, Interface& ui) {
+    ui.heading("Scene");
+    ImGui::SetNextItemWidth(-1);
+    const bool open =
+        ImGui::BeginCombo("###scene", session.scene().name.c_str(), ImGuiComboFlags_HeightLargest);
+    ui.mark("scene");
+    if (open) {
+        static const std::vector<PresetInfo> scenes = scenePresets();
+        std::string chosen;
+        for (const PresetInfo& scene : scenes) {
+            if (ImGui::Selectable(scene.name.c_str(), scene.name == session.scene().name))
+                chosen = scene.name;
+            ui.mark("scene." + scene.name);
+            ui.tooltip(scene.title);
+        }
+        ImGui::EndCombo();
+        if (!chosen.empty()) session.openScene(chosen);
+    }
+    ImGui::TextWrapped("%s", session.scene().title.c_str());
+
+    static std::string path;
+    ImGui::SetNextItemWidth(-ui.length(70));
+    ImGui::InputTextWithHint("###scene_file", "a scene's file, .toml", &path);
+    ui.mark("scene_file");
+    ImGui::SameLine();
+    if (ui.button("open", "Open", "Reads a scene of your own.")) session.openScene(path);
+}
+
+void drawBodies(Draft& draft, const Scene& scene, Interface& ui) {
+    const auto& bodies = scene.world.bodies;
+    if (bodies.size() < 2) return;
+    ImGui::SetNextItemWidth(-1);
+    if (!ImGui::BeginCombo("###body", bodies[draft.body].name.c_str())) return;
+    for (int i = 0; i < static_cast<int>(bodies.size()); ++i)
+        if (ImGui::Selectable((bodies[i].name + "##" + std::to_string(i)).c_str(), i == draft.body))
+            take(draft, scene, i);
+    ImGui::EndCombo();
+    ui.tooltip("Which of the scene's bodies");
+}
+
+}  // namespace
+
+void drawWall(Session& session, Interface& ui) {
+    drawScenes(session, ui);
+
+    static Draft draft;
+    const Scene& scene = session.scene();
+    if (draft.scene != scene.name || draft.body >= static_cast<int>(scene.world.bodies.size()))
+        take(draft, scene, 0);
+    ui.heading("A new wall");
+    drawBodies(draft, scene, ui);
+    const double least = 0.01, most = 100;
+    ImGui::TextUnformatted("Size: wide, high, thick (m)");
+    ImGui::SetNextItemWidth(-1);
+    ImGui::DragScalarN("###size", ImGuiDataType_Double, draft.size.data(), 3, 0.02f, &least, &most,
+                       "%.3g m", ImGuiSliderFlags_AlwaysClamp);
+    ui.mark("size");
+    ui.tooltip("Drag, or Ctrl and click to type.");
+    const int fewest = 1, cellsMost = 500;
+    ImGui::TextUnformatted("Cells: wide, high, thick");
+    ImGui::SetNextItemWidth(-1);
+    ImGui::DragScalarN("###cells", ImGuiDataType_S32, draft.cells.data(), 3, 0.2f, &fewest,
+                       &cellsMost, "%d", ImGuiSliderFlags_AlwaysClamp);
+    ui.mark("cells");
+    ui.tooltip("Five tetrahedra each. More: finer pieces, slower. About cubic is best.");
+    ImGui::TextUnformatted("Seed");
+    ImGui::SetNextItemWidth(-1);
+    ImGui::InputScalar("###seed", ImGuiDataType_U64, &draft.seed);
+    ui.mark("seed");
+    ui.tooltip("Another number is another wall of the same kind: it breaks elsewhere.");
+    const Vec3 cell = draft.size.cwiseQuotient(draft.cells.cast<double>());
+    ImGui::TextDisabled(
+        "%.3g x %.3g x %.3g m a cell, %lld tetrahedra", cell[0], cell[1], cell[2],
+        static_cast<long long>(5LL * draft.cells[0] * draft.cells[1] * draft.cells[2]));
+    if (ui.button("build", "Build", "Builds the wall anew.")) {
+        Scene next = scene;
+        resize(next.world.bodies[draft.body], draft.size, draft.cells);
+        next.world.seed = draft.seed & 0x7fffffffffffffffu;
+        session.buildScene(std::move(next), "build");
+    }
+    ImGui::SameLine();
+    if (ui.button("new_seed", "Another seed", "N")) {
+        session.newSeed();
+        draft.seed = session.scene().world.seed;
+    }
+    ImGui::SameLine();
+    if (ui.button("revert_scene", "Revert", "The scene as it was opened.")) {
+        session.buildScene(session.openedScene(), "revert_scene");
+        take(draft, session.scene(), 0);
+    }
+
+    ui.heading("Save as");
+    static std::string name = "my-wall";
+    ImGui::SetNextItemWidth(-ui.length(70));
+    ImGui::InputText("###scene_name", &name);
+    ui.mark("scene_name");
+    ImGui::SameLine();
+    if (ui.button("save_scene", "Save",
+                  "Scene, materials and camera in one file, which `sunder run` reads."))
+        session.saveScene(name);
+}
+
+}  // namespace sunder::view

@@ -1,0 +1,42 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "core/display_mesh.hpp"
+
+namespace sunder::view {
+
+/// What a ray meets first.
+struct Spot {
+    Vec3 place{0, 0, 0};  ///< m
+    double distance = 0;  ///< m from the ray's origin
+    int cell = -1;        ///< whose section it is, or
+    int object = -1;      ///< which object
+};
+
+/// Finds what is under the mouse, on the mesh that is seen as it is deformed now. On the CPU: only
+/// sections near the ray are moved.
+class Picker {
+  public:
+    /// Both must outlive it.
+    Picker(const World&, const DisplayMesh&);
+
+    /// `direction` has length 1.
+    std::optional<Spot> pick(const State&, const Vec3& origin, const Vec3& direction) const;
+
+  private:
+    void pickCell(const State&, int cell, const Vec3& origin, const Vec3& direction,
+                  std::optional<Spot>& nearest) const;
+    void pickObjects(const State&, const Vec3& origin, const Vec3& direction,
+                     std::optional<Spot>& nearest) const;
+
+    const World& world_;
+    const DisplayMesh& mesh_;
+    /// Triangles of a cell: first indices of them in the mesh, from start_[cell] to
+    /// start_[cell + 1].
+    std::vector<std::uint32_t> start_, triangles_;
+    /// How far a cell's section reaches from the cell's centre, over how far its corners do.
+    std::vector<float> reach_;
+};
+
+}  // namespace sunder::view

@@ -1,0 +1,43 @@
+#include "view/recorder.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace sunder::view {
+
+namespace fs = std::filesystem;
+
+fs::path freshFile(const fs::path& folder, const std::string& name, const std::string& ending) {
+    for (int number = 1;; ++number) {
+        char digits[16];
+        std::snprintf(digits, sizeof digits, "-%03d", number);
+        fs::path path = folder / (name + digits + ending);
+        std::error_code error;
+        if (!fs::exists(path, error)) return path;
+    }
+}
+
+Recorder::Recorder(const fs::path& path, int width, int height)
+    : path_(path),
+      width_(width & ~1),
+      height_(height & ~1),
+      video_((VideoFile::check(path, width_, height_, 60), path), width_, height_, 60) {}
+
+bool Recorder::add(const Image& image) {
+    if ((image.width & ~1) != width_ || (image.height & ~1) != height_) return false;
+    ++frames_;
+    if (image.width == width_ && image.height == height_) {
+        video_.add(image);
+        return true;
+    }
+    Image even{width_, height_, {}};
+    even.pixels.reserve(std::size_t{3} * width_ * height_);
+    for (int row = 0; row < height_; ++row) {
+        const auto from = image.pixels.begin() + std::ptrdiff_t{3} * image.width * row;
+        even.pixels.insert(even.pixels.end(), from, from + std::ptrdiff_t{3} * width_);
+    }
+    video_.add(even);
+    return true;
+}
+
+}  // namespace sunder::view

@@ -1,0 +1,333 @@
+#include "view/session.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "image/image.hpp"
+#include "render/legend.hpp"
+#include "scene/scene_writer.hpp"
+
+namespace sunder::view {
+namespace {
+
+namespace fs = std::filesystem;
+using Instant = std::chrono::steady_clock;
+
+double secondsSince(Instant::time_point start) {
+    return std::chrono::duration<double>(Instant::now() - start).count();
+}
+
+/// NAME.toml in the folder, or NAME where it is a path already. Throws InputError.
+fs::path tomlPath(const fs::path& folder, const std::string& name) {
+    if (name.empty()) throw InputError("give a name to save it under");
+    fs::path path = name;
+    if (path.extension() != ".toml") path += ".toml";
+    return path.is_absolute() ? path : folder / path;
+}
+
+}  // namespace
+
+Session::Session(gl::Window& shown, const Options& options, Settings remembered)
+    : window(shown),
+      settings(std::move(remembered)),
+      log(options.log),
+      clock(1.0 / 3000),
+      camera(CameraDescription{}),
+      folder(options.folder),
+      opened_(loadScene(options.scene)) {
+    if (!options.solver.empty()) settings.solver = findSolver(options.solver).name;
+    const auto start = Instant::now();
+    stage = std::make_unique<Stage>(opened_, settings.solver);
+    buildTime_ = secondsSince(start);
+    if (!options.shaders.empty()) {
+        shaders_.emplace(options.shaders);
+        tryShaders();
+    }
+    clock.setStep(stage->simulation.world().step());
+    camera.setHome(opened_.camera);
+    log.add("started", {{"gl_renderer", window.info().renderer},
+                        {"gl_version", window.info().version},
+                        {"scene", opened_.name},
+                        {"build_seconds", buildTime_}});
+}
+
+bool Session::rebuild(Scene scene, const State* state) {
+    const auto start = Instant::now();
+    try {
+        auto next = std::make_unique<Stage>(std::move(scene), settings.solver, state);
+        stage = std::move(next);
+        ++generation_;
+    } catch (const InputError& error) {
+        say(error.what(), true);
+        return false;
+    }
+    buildTime_ = secondsSince(start);
+    if (!state) {
+        lookedAt.reset();
+        measurements.breaks = measurements.contacts = 0;
+    }
+    hovered.reset();
+    pushes_.clear();
+    measurements.passes.clear();
+    clock.setStep(stage->simulation.world().step());
+    return true;
+}
+
+void Session::openScene(const std::string& nameOrPath) {
+    Scene scene;
+    try {
+        scene = loadScene(nameOrPath);
+    } catch (const InputError& error) {
+        say(error.what(), true);
+        return;
+    }
+    const Scene previous = std::exchange(opened_, scene);
+    if (!rebuild(std::move(scene), nullptr)) {
+        opened_ = previous;
+        return;
+    }
+    camera.setHome(opened_.camera);
+    log.add("scene", {{"value", opened_.name}});
+}
+
+void Session::buildScene(Scene scene, const char* why) {
+    if (rebuild(std::move(scene), nullptr)) log.add(why);
+}
+
+void Session::setMaterial(int index, const Material& material, bool anew) {
+    Scene changedScene = scene();
+    const std::string name = material.name;
+    changedScene.world.materials[index] = material;
+    const State* state = anew ? nullptr : &stage->simulation.state();
+    if (rebuild(std::move(changedScene), state))
+        log.add("material", {{"index", index}, {"value", name}, {"state_kept", !anew}});
+}
+
+void Session::newSeed() {
+    Scene next = scene();
+    // 63 bits: what a scene file may hold.
+    next.world.seed = (next.world.seed + 1) & std::numeric_limits<std::int64_t>::max();
+    const std::uint64_t seed = next.world.seed;
+    if (!rebuild(std::move(next), nullptr)) return;
+    log.add("seed", {{"value", seed}});
+    say("A new wall, seed " + std::to_string(seed));
+}
+
+void Session::saveScene(const std::string& name) {
+    try {
+        const fs::path path = tomlPath(folder, name);
+        Scene saved = scene();
+        saved.camera = camera.description();
+        writeFileAtomically(path, writeScene(saved));
+        say("Saved; run it with: sunder run " + path.string());
+        log.add("saved_scene", {{"path", path.string()}});
+    } catch (const InputError& error) {
+        say(error.what(), true);
+    }
+}
+
+void Session::saveMaterial(int index, const std::string& name) {
+    try {
+        const fs::path path = tomlPath(folder, name);
+        writeFileAtomically(path, writeMaterial(scene().world.materials[index]));
+        say("Saved; a scene uses it by: material = \"" + path.filename().string() + "\"");
+        log.add("saved_material", {{"path", path.string()}});
+    } catch (const InputError& error) {
+        say(error.what(), true);
+    }
+}
+
+void Session::restart() {
+    stage->simulation.restart();
+    pushes_.clear();
+    measurements.breaks = measurements.contacts = 0;
+    log.add("restart");
+}
+
+void Session::setPaused(bool paused) {
+    clock.pause(paused);
+    log.add("pause", {{"value", paused}});
+}
+
+void Session::stepOnce(int steps) {
+    clock.pause(true);
+    clock.stepOnce(steps);
+    log.add("step", {{"steps", steps}});
+}
+
+void Session::setSpeed(double speed) {
+    clock.setSpeed(speed);
+    log.add("speed", {{"value", clock.speed()}});
+}
+
+void Session::setSolver(const std::string& name) {
+    if (name == stage->simulation.solverInfo().name) return;
+    try {
+        stage->simulation.setSolver(name);
+    } catch (const InputError& error) {
+        say(error.what(), true);
+        return;
+    }
+    settings.solver = name;
+    measurements.passes.clear();
+    clock.setStep(clock.step());  // what a step costs is no longer known
+    changed("solver", name);
+}
+
+void Session::changed(const char* what, std::string_view value) {
+    log.add(what, {{"value", value}});
+}
+
+void Session::setFullScreen(bool wanted) {
+    settings.fullScreen = wanted;
+    window.setFullScreen(wanted);
+    changed("full_screen", wanted ? "true" : "false");
+}
+
+void Session::setVsync(bool wanted) {
+    settings.vsync = wanted;
+    window.setVsync(wanted);
+    changed("vsync", wanted ? "true" : "false");
+}
+
+void Session::setSamples(int samples) {
+    settings.samples = samples;
+    log.add("samples", {{"value", samples}});
+}
+
+Vec3 Session::rayAt(double x, double y) const {
+    return camera.ray(2 * (x - area.left) / area.width - 1, 1 - 2 * (y - area.top) / area.height,
+                      area.aspect());
+}
+
+void Session::hit(const Spot& spot, const Vec3& direction, double seconds) {
+    if (settings.tool == Tool::Look) {
+        if (spot.cell < 0) return;
+        lookedAt = spot.cell;
+        log.add("look", {{"cell", spot.cell}});
+        return;
+    }
+    const double change = settings.tool == Tool::Shoot ? settings.shot : settings.push * seconds;
+    const double sign = settings.tool == Tool::Pull ? -1 : 1;
+    pushes_.push_back({spot.place, sign * change * direction, settings.radius, spot.object});
+    if (settings.tool == Tool::Shoot || !everHit)
+        log.add("hit", {{"tool", toString(settings.tool)},
+                        {"place", {spot.place[0], spot.place[1], spot.place[2]}},
+                        {"cell", spot.cell},
+                        {"object", spot.object}});
+    everHit = true;
+}
+
+void Session::hitPreset(int number) {
+    const World& world = stage->simulation.world();
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::max()), high = -low;
+    for (const Body& body : world.bodies()) {
+        const Vec3 size = body.cellSize.cwiseProduct(body.cells.cast<double>());
+        low = low.cwiseMin(body.origin);
+        high = high.cwiseMax(body.origin + size);
+    }
+    const Vec3 share((number - 1) % 3 / 3.0 + 1.0 / 6, (number - 1) / 3 / 3.0 + 1.0 / 6, 0.5);
+    const Vec3 place = low + share.cwiseProduct(high - low);
+    const Vec3 eye = camera.description().position;
+    const Vec3 direction = (place - eye).normalized();
+    // Where nothing is left at that place, whatever is around it is hit all the same.
+    const Spot spot = stage->pick(eye, direction).value_or(Spot{place, 0, -1, -1});
+    log.add("preset", {{"number", number}});
+    constexpr double kTap = 0.05;  // s that a tap on a key counts for
+    hit(spot, direction, kTap);
+}
+
+void Session::savePicture(const Image& image) {
+    pictureWanted_ = false;
+    try {
+        const fs::path path = freshFile(folder, scene().name, ".png");
+        Image picture = image;
+        if (settings.colour != WallColour::Material) drawLegend(picture, stage->colours.key());
+        writePng(path, picture);
+        say("Picture saved: " + path.string());
+        log.add("picture", {{"path", path.string()}});
+    } catch (const InputError& error) {
+        say(error.what(), true);
+    }
+}
+
+void Session::toggleRecording() {
+    try {
+        if (recorder_) {
+            const std::string path = recorder_->path().string();
+            const int frames = recorder_->frames();
+            clock.setFixed(false);
+            if (frames > 0) recorder_->finish();
+            recorder_.reset();
+            if (frames > 0) say("Video saved: " + path);
+            log.add("video", {{"path", path}, {"frames", frames}});
+            return;
+        }
+        recorder_.emplace(freshFile(folder, scene().name, ".mp4"), area.width, area.height);
+        clock.setFixed(true);
+        log.add("recording", {{"path", recorder_->path().string()}});
+    } catch (const InputError& error) {
+        clock.setFixed(false);
+        recorder_.reset();
+        say(error.what(), true);
+    }
+}
+
+void Session::record(const Image& image) {
+    try {
+        if (recorder_->add(image)) return;
+        say("The window has another size now; the video ends before");
+        toggleRecording();
+    } catch (const InputError& error) {
+        clock.setFixed(false);
+        recorder_.reset();
+        say(error.what(), true);
+    }
+}
+
+void Session::tryShaders() {
+    gl::useShaders(shaders_->source());
+    const State state = stage->simulation.state();
+    try {
+        auto next = std::make_unique<Stage>(scene(), settings.solver, &state);
+        // Some programs are made when they are first used: now, as mistakes have to show here.
+        for (const DrawnMesh mesh : {DrawnMesh::Simulation, DrawnMesh::Display})
+            for (const DrawStyle style : {DrawStyle::Wireframe, DrawStyle::Solid}) {
+                RenderSettings small;
+                small.width = small.height = 16;
+                small.mesh = mesh;
+                small.style = style;
+                next->renderer.render(next->simulation.view(), opened_.camera, small);
+            }
+        stage = std::move(next);
+        ++generation_;
+        shaderError_.clear();
+        log.add("shaders", {{"error", nullptr}});
+    } catch (const std::runtime_error& error) {
+        // The programs that run go on, and what is made meanwhile is made of sound ones.
+        gl::useShaders(gl::embeddedShaders());
+        shaderError_ = error.what();
+        log.add("shaders", {{"error", shaderError_}});
+    }
+}
+
+void Session::watchShaders() {
+    if (!shaders_ || !shaders_->changed()) return;
+    tryShaders();
+    if (shaderError_.empty()) say("Shaders reloaded");
+}
+
+void Session::say(const std::string& text, bool problem) {
+    constexpr std::chrono::seconds kShort(4), kLong(10);
+    messages_.push_back({text, problem, Instant::now() + (problem ? kLong : kShort)});
+    if (messages_.size() > 5) messages_.pop_front();
+    log.add(problem ? "problem" : "message", {{"text", text}});
+}
+
+void Session::forgetOldMessages() {
+    const auto now = Instant::now();
+    std::erase_if(messages_, [&](const Message& message) { return message.until < now; });
+}
+
+}  // namespace sunder::view

@@ -1,0 +1,139 @@
+#include "view/settings.hpp"
+
+#include <cstdlib>
+#include <iterator>
+
+#include "balance/solver_factory.hpp"
+#include "image/image.hpp"
+#include "scene/table_reader.hpp"
+#include "scene/toml_file.hpp"
+#include "scene/wording.hpp"
+
+namespace sunder::view {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr DrawnMesh kMeshes[] = {DrawnMesh::Display, DrawnMesh::Simulation};
+constexpr DrawStyle kStyles[] = {DrawStyle::Solid, DrawStyle::Wireframe, DrawStyle::Overlay};
+
+template <class Choice, std::size_t Count>
+void readChoice(const TableReader& reader, std::string_view key, Choice& value,
+                const Choice (&choices)[Count]) {
+    std::vector<std::string_view> names;
+    for (const Choice choice : choices) names.push_back(toString(choice));
+    if (const auto index = reader.readChoice(key, names)) value = choices[*index];
+}
+
+fs::path folderFrom(const char* variable, const char* below) {
+    const char* value = std::getenv(variable);
+    return value && *value ? fs::path(value) / below : fs::path();
+}
+
+std::string inToml(std::string_view text) {
+    return '"' + std::string(text) + '"';
+}
+
+}  // namespace
+
+std::string_view toString(Tool tool) {
+    switch (tool) {
+        case Tool::Shoot:
+            return "shoot";
+        case Tool::Push:
+            return "push";
+        case Tool::Pull:
+            return "pull";
+        case Tool::Look:
+            return "look";
+    }
+    return "";
+}
+
+std::string_view toString(DrawnMesh mesh) {
+    return mesh == DrawnMesh::Display ? "display" : "simulation";
+}
+
+std::string_view toString(DrawStyle style) {
+    switch (style) {
+        case DrawStyle::Solid:
+            return "solid";
+        case DrawStyle::Wireframe:
+            return "wireframe";
+        case DrawStyle::Overlay:
+            return "overlay";
+    }
+    return "";
+}
+
+fs::path settingsFile() {
+#if defined(_WIN32)
+    const fs::path folder = folderFrom("APPDATA", "sunder");
+#elif defined(__APPLE__)
+    const fs::path folder = folderFrom("HOME", "Library/Application Support/sunder");
+#else
+    fs::path folder = folderFrom("XDG_CONFIG_HOME", "sunder");
+    if (folder.empty()) folder = folderFrom("HOME", ".config/sunder");
+#endif
+    return folder.empty() ? folder : folder / "viewer.toml";
+}
+
+Settings readSettings(const fs::path& path) {
+    Settings settings;
+    std::error_code error;
+    if (path.empty() || !fs::exists(path, error)) return settings;
+    const toml::table document = parseToml(readTextFile(path), path.string());
+    const TableReader reader(
+        document, path.string(), "the settings",
+        {"solver", "mesh", "style", "colour", "samples", "vsync", "full_screen", "tool", "shot",
+         "push", "radius", "interface_scale", "panel", "width", "height"});
+    std::vector<std::string_view> names;
+    for (const SolverInfo& solver : solvers()) names.push_back(solver.name);
+    if (const auto index = reader.readChoice("solver", names)) settings.solver = names[*index];
+    readChoice(reader, "mesh", settings.mesh, kMeshes);
+    readChoice(reader, "style", settings.style, kStyles);
+    readChoice(reader, "colour", settings.colour, kWallColours);
+    readChoice(reader, "tool", settings.tool, kTools);
+    reader.read("samples", settings.samples, {1, 8});
+    reader.read("vsync", settings.vsync);
+    reader.read("full_screen", settings.fullScreen);
+    reader.read("shot", settings.shot, {1, 150, "m/s"});
+    reader.read("push", settings.push, {1, 2000, "m/s²"});
+    reader.read("radius", settings.radius, {0.02, 2, "m"});
+    reader.read("interface_scale", settings.interfaceScale, {0.5, 4});
+    reader.read("panel", settings.panel);
+    reader.read("width", settings.width, {320, 16384});
+    reader.read("height", settings.height, {240, 16384});
+    return settings;
+}
+
+void writeSettings(const fs::path& path, const Settings& settings) {
+    if (path.empty()) return;
+    std::error_code error;
+    fs::create_directories(path.parent_path(), error);
+    if (error)
+        throw InputError("cannot make the folder '" + path.parent_path().string() +
+                         "': " + error.message());
+    const std::pair<const char*, std::string> lines[] = {
+        {"solver", inToml(settings.solver)},
+        {"mesh", inToml(toString(settings.mesh))},
+        {"style", inToml(toString(settings.style))},
+        {"colour", inToml(toString(settings.colour))},
+        {"samples", std::to_string(settings.samples)},
+        {"vsync", settings.vsync ? "true" : "false"},
+        {"full_screen", settings.fullScreen ? "true" : "false"},
+        {"tool", inToml(toString(settings.tool))},
+        {"shot", formatNumber(settings.shot)},
+        {"push", formatNumber(settings.push)},
+        {"radius", formatNumber(settings.radius)},
+        {"interface_scale", formatNumber(settings.interfaceScale)},
+        {"panel", settings.panel ? "true" : "false"},
+        {"width", std::to_string(settings.width)},
+        {"height", std::to_string(settings.height)},
+    };
+    std::string text = "# What `sunder view` remembers; it may be deleted.\n";
+    for (const auto& [key, value] : lines) text += std::string(key) + " = " + value + "\n";
+    writeFileAtomically(path, text);
+}
+
+}  // namespace sunder::view

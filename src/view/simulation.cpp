@@ -1,0 +1,95 @@
+#include "view/simulation.hpp"
+
+#include "gpu/pass_timer.hpp"
+
+namespace sunder::view {
+
+void apply(const Push& push, const World& world, State& state) {
+    if (push.object >= 0) {
+        if (world.objects()[push.object].inverseMass > 0)
+            state.objects[push.object].velocity += push.velocity;
+        return;
+    }
+    const double reach = push.radius * push.radius;
+    for (int cell = 0; cell < world.cellCount(); ++cell) {
+        if (!world.present(cell)) continue;
+        for (int node = kCorners * cell; node < kCorners * (cell + 1); ++node) {
+            if (world.anchored(node)) continue;
+            const Vec3 place = world.restPosition(node) + state.displacement[node];
+            const double away = (place - push.place).squaredNorm();
+            // Joined copies of a node are at the same place to the bit, so they stay together.
+            if (away < reach) state.velocity[node] += (1 - away / reach) * push.velocity;
+        }
+    }
+}
+
+Simulation::Simulation(Scene scene, const std::string& solver, const State* state)
+    : scene_(std::move(scene)), world_(scene_.world), buffers_(world_) {
+    const SolverInfo& info = findSolver(solver);
+    auto made = makeSolver(info, world_, &buffers_);
+    if (state) made->setState(*state);
+    stepsDone_ = state ? state->step : 0;
+    adopt(std::move(made), info);
+}
+
+void Simulation::adopt(std::unique_ptr<Solver> solver, const SolverInfo& info) {
+    auto view = std::make_unique<SolverView>(world_, *solver);
+    solver->setIncidents(&incidents_);
+    view_ = std::move(view);
+    solver_ = std::move(solver);
+    info_ = &info;
+    state_.reset();
+}
+
+void Simulation::setSolver(const std::string& name) {
+    const SolverInfo& info = findSolver(name);
+    auto next = makeSolver(info, world_, &buffers_);
+    next->setState(state());
+    adopt(std::move(next), info);
+}
+
+void Simulation::restart() {
+    solver_->setState(world_.initialState());
+    stepsDone_ = 0;
+    state_.reset();
+}
+
+void Simulation::advance(const std::vector<Push>& pushes, int steps) {
+    if (!pushes.empty()) {
+        State pushed = state();
+        for (const Push& push : pushes) apply(push, world_, pushed);
+        solver_->setState(pushed);
+        state_.reset();
+    }
+    if (steps < 1) return;
+    solver_->advance(steps);
+    solver_->finish();
+    stepsDone_ += steps;
+    state_.reset();
+}
+
+const State& Simulation::state() {
+    if (!state_) state_ = solver_->state();
+    return *state_;
+}
+
+void Simulation::timePasses(gpu::PassTimer* timer) {
+    if (auto* onGpu = dynamic_cast<gpu::GpuSolver*>(solver_.get())) onGpu->setPassTimer(timer);
+}
+
+bool Simulation::sameLayout(const Scene& other) const {
+    const WorldDescription &a = scene_.world, &b = other.world;
+    if (a.bodies.size() != b.bodies.size() || a.objects.size() != b.objects.size()) return false;
+    for (std::size_t i = 0; i < a.bodies.size(); ++i) {
+        const BodyDescription &mine = a.bodies[i], &theirs = b.bodies[i];
+        if (mine.cells != theirs.cells || mine.size != theirs.size ||
+            mine.position != theirs.position || mine.anchors != theirs.anchors ||
+            mine.regions.size() != theirs.regions.size())
+            return false;
+        for (std::size_t r = 0; r < mine.regions.size(); ++r)
+            if ((mine.regions[r].material < 0) != (theirs.regions[r].material < 0)) return false;
+    }
+    return true;
+}
+
+}  // namespace sunder::view

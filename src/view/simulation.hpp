@@ -1,0 +1,72 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "balance/solver_factory.hpp"
+#include "core/incident.hpp"
+#include "scene/scene.hpp"
+
+namespace sunder::view {
+
+/// A blow at a spot: everything within `radius` of it gains velocity.
+struct Push {
+    Vec3 place{0, 0, 0};     ///< m
+    Vec3 velocity{0, 0, 0};  ///< m/s, at the spot; less towards the rim, where it is 0
+    double radius = 0.3;     ///< m
+    int object = -1;         ///< this object is pushed as a whole instead
+};
+
+/// Adds a push's velocity to a state.
+void apply(const Push&, const World&, State&);
+
+/// A world and the solver that advances it. Needs a current GL context.
+class Simulation {
+  public:
+    /// Throws InputError for a scene that cannot be laid out. `state`: of a world with the same
+    /// cells, to go on from.
+    Simulation(Scene, const std::string& solver, const State* state = nullptr);
+
+    const Scene& scene() const { return scene_; }
+    const World& world() const { return world_; }
+    const gpu::WorldBuffers& buffers() const { return buffers_; }
+    const SolverInfo& solverInfo() const { return *info_; }
+    double time() const { return static_cast<double>(stepsDone_) * world_.step(); }  ///< s
+    int stepsPerFrame() const { return scene_.substeps; }  ///< substeps in 1/60 s
+
+    /// Goes on with another one from the same state. Throws InputError, and then nothing changed.
+    void setSolver(const std::string& name);
+    void restart();
+    /// Pushes, then advances, then waits until it is done. Each push costs a GPU solver the way of
+    /// its state to the CPU and back: they are for a hand on a mouse, not for a game's hundred
+    /// explosions.
+    void advance(const std::vector<Push>&, int steps);
+
+    /// The last state, fetched at most once per advance().
+    const State& state();
+    gpu::StateView view() { return view_->view(); }
+    /// Where passes are timed from now on; null: nowhere. Only GPU solvers have passes.
+    void timePasses(gpu::PassTimer*);
+    /// Cells and bonds of which something was heard since the last call.
+    std::vector<Incident> takeIncidents() { return incidents_.take(); }
+
+    /// Whether a state of this world may go on in that of another scene: the same cells and
+    /// objects.
+    bool sameLayout(const Scene&) const;
+
+  private:
+    void adopt(std::unique_ptr<Solver>, const SolverInfo&);
+
+    Scene scene_;
+    World world_;
+    gpu::WorldBuffers buffers_;
+    IncidentRing incidents_;
+    const SolverInfo* info_ = nullptr;
+    std::unique_ptr<Solver> solver_;
+    std::unique_ptr<SolverView> view_;
+    std::int64_t stepsDone_ = 0;
+    std::optional<State> state_;
+};
+
+}  // namespace sunder::view

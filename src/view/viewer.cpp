@@ -1,0 +1,245 @@
+#include "view/viewer.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include "gpu/pass_timer.hpp"
+#include "view/controls.hpp"
+#include "view/panels/panels.hpp"
+
+namespace sunder::view {
+namespace {
+
+using Instant = std::chrono::steady_clock;
+
+double seconds(Instant::duration duration) {
+    return std::chrono::duration<double>(duration).count();
+}
+
+/// Every so many seconds.
+class Every {
+  public:
+    explicit Every(double period) : period_(period) {}
+    bool due(Instant::time_point now) {
+        if (seconds(now - last_) < period_) return false;
+        last_ = now;
+        return true;
+    }
+
+  private:
+    double period_;
+    Instant::time_point last_{};
+};
+
+class Viewer {
+  public:
+    Viewer(gl::Window& window, const Options& options, const Settings& settings)
+        : window_(window), session_(window, options, settings), interface_(window) {}
+
+    void run() {
+        auto last = Instant::now();
+        while (!window_.closing()) {
+            window_.poll();
+            const auto now = Instant::now();
+            const double elapsed = seconds(now - std::exchange(last, now));
+            // Nobody sees it; time stands still, too.
+            if (window_.minimised()) {
+                logStatus(now);
+                continue;
+            }
+            if (!frame(elapsed, now)) break;
+        }
+        remember();
+        session_.log.add("closed", {{"frames", frames_}});
+    }
+    void sayProblem(const std::string& text) { session_.say(text, true); }
+
+  private:
+    bool frame(double elapsed, Instant::time_point now) {
+        interface_.begin(session_.settings.interfaceScale);
+        layOut();
+        const bool goOn = controls_.handle(session_, interface_, elapsed);
+        session_.measurements.frame.add(1000 * elapsed);
+        simulate(elapsed);
+        observe(now);
+
+        // Panels first: what they change is in this frame's picture already.
+        auto start = Instant::now();
+        drawPanels(session_, interface_);
+        double interfaceTime = seconds(Instant::now() - start);
+        drawScene();
+        start = Instant::now();
+        interface_.draw();
+        interfaceTime += seconds(Instant::now() - start);
+        session_.measurements.interface.add(1000 * interfaceTime);
+        window_.swap();
+
+        ++frames_;
+        for (const std::string& error : window_.takeErrors())
+            session_.log.add("gl_error", {{"text", error}});
+        logStatus(now);
+        return goOn;
+    }
+
+    /// The scene has what the panel leaves of the window.
+    void layOut() {
+        const int panel =
+            session_.settings.panel
+                ? static_cast<int>(std::lround(panelWidth(interface_) * interface_.density()))
+                : 0;
+        const int left = std::min(panel, window_.width() - 1);
+        session_.area = {left, 0, std::max(1, window_.width() - left),
+                         std::max(1, window_.height())};
+    }
+
+    void simulate(double elapsed) {
+        Simulation& simulation = session_.stage->simulation;
+        const int steps = session_.clock.tick(elapsed);
+        controls_.holdHits(session_, steps * simulation.world().step());
+        // Passes are only timed while somebody looks: in software each of them is waited for.
+        simulation.timePasses(session_.measuring ? &simulationTimer_ : nullptr);
+        const auto start = Instant::now();
+        simulation.advance(session_.takePushes(), steps);
+        const double cost = seconds(Instant::now() - start);
+        session_.clock.took(steps, cost);
+        session_.measurements.simulation.add(1000 * cost);
+    }
+
+    /// What is found out now and then, or only for who looks.
+    void observe(Instant::time_point now) {
+        Measurements& measurements = session_.measurements;
+        Simulation& simulation = session_.stage->simulation;
+        for (const Incident& incident : simulation.takeIncidents())
+            ++(incident.kind == Incident::Kind::Break ? measurements.breaks
+                                                      : measurements.contacts);
+        if (diagnosis_.due(now))
+            measurements.diagnostics = diagnose(simulation.world(), simulation.state());
+        if (session_.settings.colour != WallColour::Material)
+            session_.stage->colours.update(simulation.state(), session_.settings.colour);
+        if (shaderLook_.due(now)) session_.watchShaders();
+        session_.forgetOldMessages();
+    }
+
+    void drawScene() {
+        const auto start = Instant::now();
+        Stage& stage = *session_.stage;
+        const Settings& settings = session_.settings;
+        RenderSettings render;
+        render.width = session_.area.width;
+        render.height = session_.area.height;
+        render.samples = settings.samples;
+        render.mesh = settings.mesh;
+        render.style = settings.style;
+        if (settings.colour != WallColour::Material) render.colours = &stage.colours;
+        if (session_.measuring) render.timer = &drawingTimer_;
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glViewport(0, 0, window_.width(), window_.height());
+        glClearColor(0, 0, 0, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+        stage.renderer.render(stage.simulation.view(), session_.camera.description(), render);
+        if (session_.pictureWanted()) session_.savePicture(stage.renderer.read());
+        if (session_.recording() && !session_.clock.paused())
+            session_.record(stage.renderer.read());
+        stage.renderer.show(session_.area.left,
+                            window_.height() - session_.area.top - session_.area.height);
+        if (session_.measuring) {
+            session_.measurements.addPasses(simulationTimer_.take());
+            session_.measurements.addPasses(drawingTimer_.take());
+        }
+        session_.measurements.drawing.add(1000 * seconds(Instant::now() - start));
+    }
+
+    void logStatus(Instant::time_point now) {
+        if (!session_.log.enabled() || !status_.due(now)) return;
+        const Settings& settings = session_.settings;
+        const Measurements& m = session_.measurements;
+        const Scene& scene = session_.scene();
+        nlohmann::ordered_json widgets = nlohmann::ordered_json::object();
+        for (const auto& [name, place] : interface_.widgets()) widgets[name] = place;
+        nlohmann::ordered_json materials = nlohmann::ordered_json::array();
+        for (const Material& material : scene.world.materials) materials.push_back(material.name);
+        const ViewArea& area = session_.area;
+        session_.log.add("status", {{"frame", frames_},
+                                    {"time", session_.stage->simulation.time()},
+                                    {"scene", scene.name},
+                                    {"seed", scene.world.seed},
+                                    {"materials", materials},
+                                    {"solver", session_.stage->simulation.solverInfo().name},
+                                    {"mesh", toString(settings.mesh)},
+                                    {"style", toString(settings.style)},
+                                    {"colour", toString(settings.colour)},
+                                    {"samples", settings.samples},
+                                    {"tool", toString(settings.tool)},
+                                    {"paused", session_.clock.paused()},
+                                    {"speed", session_.clock.speed()},
+                                    {"share", session_.clock.share()},
+                                    {"dropped", session_.clock.dropped()},
+                                    {"bonds_broken", m.diagnostics.bondsBroken},
+                                    {"pieces", m.diagnostics.pieces},
+                                    {"nan", m.diagnostics.nan},
+                                    {"window", {window_.width(), window_.height()}},
+                                    {"minimised", window_.minimised()},
+                                    {"focused", window_.focused()},
+                                    {"full_screen", window_.fullScreen()},
+                                    {"view", {area.left, area.top, area.width, area.height}},
+                                    {"fps", m.framesPerSecond()},
+                                    {"ms",
+                                     {{"simulation", m.simulation.mean(30)},
+                                      {"drawing", m.drawing.mean(30)},
+                                      {"interface", m.interface.mean(30)}}},
+                                    {"gl_bytes", gl::allocatedBytes()},
+                                    {"widgets", widgets}});
+    }
+
+    void remember() {
+        if (session_.recording()) session_.toggleRecording();
+        Settings& settings = session_.settings;
+        settings.width = window_.plainWidth();
+        settings.height = window_.plainHeight();
+        try {
+            writeSettings(settingsFile(), settings);
+        } catch (const InputError& error) {
+            session_.log.add("problem", {{"text", error.what()}});
+        }
+    }
+
+    gl::Window& window_;
+    Session session_;
+    Interface interface_;
+    Controls controls_;
+    gpu::PassTimer simulationTimer_{window_.info().software};
+    gpu::PassTimer drawingTimer_{window_.info().software};
+    Every diagnosis_{0.25}, shaderLook_{0.5}, status_{0.25};
+    std::int64_t frames_ = 0;
+};
+
+}  // namespace
+
+void view(const Options& options) {
+    std::string problem;
+    Settings settings;
+    try {
+        settings = readSettings(settingsFile());
+    } catch (const InputError& error) {
+        problem = std::string(error.what()) + "; the viewer starts with its own settings";
+    }
+    if (options.width > 0) {
+        settings.width = options.width;
+        settings.height = options.height;
+        settings.fullScreen = false;
+    }
+    if (!options.solver.empty()) findSolver(options.solver);
+    loadScene(options.scene);  // a wrong name is a sentence, not a window that vanishes
+    gl::Window::Options shown;
+    shown.title = "Sunder";
+    shown.width = settings.width;
+    shown.height = settings.height;
+    shown.fullScreen = settings.fullScreen;
+    shown.vsync = settings.vsync;
+    const auto window = gl::Window::open(shown);
+    Viewer viewer(*window, options, settings);
+    if (!problem.empty()) viewer.sayProblem(problem);
+    viewer.run();
+}
+
+}  // namespace sunder::view
