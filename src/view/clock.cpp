@@ -8,18 +8,12 @@ namespace sunder::view {
 
 void Clock::setStep(double step) {
     step_ = step;
-    owed_ = cost_ = 0;
+    owed_ = most_ = 0;
 }
 
 void Clock::setSpeed(double speed) {
     speed_ = std::clamp(speed, kSlowest, 1.0);
     recent_.clear();
-}
-
-int Clock::mostSteps() const {
-    double steps = kMostTime / step_;
-    if (cost_ > 0) steps = std::min(steps, kMostWork / cost_);
-    return std::max(1, static_cast<int>(steps));
 }
 
 int Clock::tick(double elapsed) {
@@ -32,10 +26,15 @@ int Clock::tick(double elapsed) {
     if (fixed_) return std::max(1, static_cast<int>(std::lround(speed_ / 60 / step_)));
 
     const double wanted = std::max(elapsed, 0.0) * speed_;
+    // Half of a frame for simulating: the next frame is at most twice as long as the rest of it,
+    // however long this one was.
+    budget_ = std::clamp(elapsed / 2, kMostWork, kMostTime);
     owed_ += wanted;
     // Without the small share, 50 steps of 1/3000 s would be a hair more than 1/60 s.
     const double due = std::floor(owed_ / step_ + 1e-6);
-    const int steps = static_cast<int>(std::min<double>(due, mostSteps()));
+    double most = std::max(1.0, std::floor(kMostTime / step_ + 1e-6));
+    if (most_ > 0) most = std::min(most, std::floor(most_));
+    const int steps = static_cast<int>(std::min(due, most));
     owed_ = std::max(0.0, owed_ - steps * step_);
     if (steps < due) {
         const double rest = std::fmod(owed_, step_);
@@ -54,10 +53,11 @@ int Clock::tick(double elapsed) {
 
 void Clock::took(int steps, double seconds) {
     if (steps < 1) return;
-    const double cost = std::max(seconds, 0.0) / steps;
-    // Quickly up, slowly down: one cheap frame is no reason to try a long one.
-    const double weight = cost > cost_ ? 0.5 : 0.1;
-    cost_ = cost_ > 0 ? cost_ + weight * (cost - cost_) : cost;
+    // What a step costs is not known by looking at one: the first compiles, some wake a heap.
+    if (seconds > budget_)
+        most_ = std::max(1.0, steps * budget_ / seconds);
+    else if (most_ > 0)
+        most_ = std::min(1.5 * most_ + 1, 1e9);
 }
 
 double Clock::share() const {

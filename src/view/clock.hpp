@@ -39,21 +39,22 @@ class Clock {
     double dropped() const { return dropped_; }
 
     /// A frame simulates no more than this, s of simulated time …
-    static constexpr double kMostTime = 0.1;
-    /// … and no more than takes about this long, s.
-    static constexpr double kMostWork = 0.05;
+    static constexpr double kMostTime = 0.25;
+    /// … and no more than takes about this long, s, or as long as the rest of the frame: where
+    /// drawing is slow, simulating may be, too. Once a frame took longer the limit sinks at once,
+    /// and rises again from frame to frame.
+    static constexpr double kMostWork = 0.04;
 
   private:
     struct Frame {
         double elapsed, wanted, simulated;  ///< s
     };
-    int mostSteps() const;
-
     double step_, speed_ = 1;
     bool paused_ = false, fixed_ = false;
     int once_ = 0;
     double owed_ = 0, dropped_ = 0;  ///< s of simulated time
-    double cost_ = 0;                ///< s per substep, smoothed; 0: not known yet
+    double budget_ = kMostWork;      ///< s of work for this frame
+    double most_ = 0;                ///< substeps in a frame; 0: not known yet
     std::deque<Frame> recent_;       ///< about a second
 };
 

@@ -67,6 +67,7 @@ void setStyle(float scale) {
     colours[ImGuiCol_TextDisabled] = {0.60f, 0.61f, 0.63f, 1};
     colours[ImGuiCol_WindowBg] = ground;
     colours[ImGuiCol_PopupBg] = {0.13f, 0.135f, 0.155f, 0.98f};
+    colours[ImGuiCol_TitleBg] = colours[ImGuiCol_TitleBgActive] = field;
     colours[ImGuiCol_FrameBg] = field;
     colours[ImGuiCol_FrameBgHovered] = raised;
     colours[ImGuiCol_FrameBgActive] = raised;
@@ -182,11 +183,12 @@ bool Interface::checkbox(const std::string& name, const std::string& label, bool
 int Interface::choice(const std::string& name, std::span<const std::string_view> labels, int chosen,
                       std::span<const std::string_view> help) {
     int clicked = -1;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {length(6), length(4)});
     const ImGuiStyle& style = ImGui::GetStyle();
     const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
     for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
-        const std::string label(labels[i]);
-        const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * style.FramePadding.x;
+        const std::string text(labels[i]);
+        const float width = ImGui::CalcTextSize(text.c_str()).x + 2 * style.FramePadding.x;
         const float gap = length(3);
         if (i > 0 && ImGui::GetItemRectMax().x + gap + width <= end) ImGui::SameLine(0, gap);
         if (i == chosen) {
@@ -195,20 +197,26 @@ int Interface::choice(const std::string& name, std::span<const std::string_view>
             ImGui::PushStyleColor(ImGuiCol_ButtonHovered, accent);
             ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.08f, 0.07f, 0.05f, 1));
         }
-        const std::string id = name + "." + label;
-        if (ImGui::Button((label + "###" + id).c_str())) clicked = i;
+        const std::string id = name + "." + text;
+        if (ImGui::Button((text + "###" + id).c_str())) clicked = i;
         if (i == chosen) ImGui::PopStyleColor(3);
         mark(id);
         if (i < static_cast<int>(help.size())) tooltip(help[i]);
     }
+    ImGui::PopStyleVar();
     return clicked;
 }
 
-bool Interface::slider(const std::string& name, const std::string& label, double& value, double min,
-                       double max, std::string_view unit, bool logarithmic, std::string_view help) {
-    const std::string format = unit == "1" ? "%.4g" : "%.4g " + std::string(unit);
-    ImGui::TextUnformatted(label.c_str());
+void Interface::label(const char* text, std::string_view help) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", text);
     tooltip(help);
+    ImGui::SameLine(length(72));
+}
+
+bool Interface::slider(const std::string& name, double& value, double min, double max,
+                       std::string_view unit, bool logarithmic, std::string_view help) {
+    const std::string format = unit == "1" ? "%.4g" : "%.4g " + std::string(unit);
     ImGui::SetNextItemWidth(-1);
     const ImGuiSliderFlags flags =
         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat |

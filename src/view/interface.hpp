@@ -45,9 +45,12 @@ class Interface {
     /// Side by side, on as many lines as it takes; the chosen one stands out. −1: nothing new.
     int choice(const std::string& name, std::span<const std::string_view> labels, int chosen,
                std::span<const std::string_view> help = {});
-    /// `unit` as in a material's table; "1": a plain number. True while it is being changed.
-    bool slider(const std::string& name, const std::string& label, double& value, double min,
-                double max, std::string_view unit, bool logarithmic, std::string_view help);
+    /// Text in a column of its own, before a widget on the same line.
+    void label(const char* text, std::string_view help = {});
+    /// As wide as the rest of the line. `unit` as in a material's table; "1": a plain number. True
+    /// while it is being changed.
+    bool slider(const std::string& name, double& value, double min, double max,
+                std::string_view unit, bool logarithmic, std::string_view help);
     /// A heading with room above it.
     void heading(const char* text);
     /// Over the last widget, after the mouse has rested on it.

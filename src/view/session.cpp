@@ -38,7 +38,7 @@ Session::Session(gl::Window& shown, const Options& options, Settings remembered)
       opened_(loadScene(options.scene)) {
     if (!options.solver.empty()) settings.solver = findSolver(options.solver).name;
     const auto start = Instant::now();
-    stage = std::make_unique<Stage>(opened_, settings.solver);
+    stage = std::make_unique<Stage>(opened_, settings.solver, settings.sceneHits);
     buildTime_ = secondsSince(start);
     if (!options.shaders.empty()) {
         shaders_.emplace(options.shaders);
@@ -55,7 +55,8 @@ Session::Session(gl::Window& shown, const Options& options, Settings remembered)
 bool Session::rebuild(Scene scene, const State* state) {
     const auto start = Instant::now();
     try {
-        auto next = std::make_unique<Stage>(std::move(scene), settings.solver, state);
+        auto next =
+            std::make_unique<Stage>(std::move(scene), settings.solver, settings.sceneHits, state);
         stage = std::move(next);
         ++generation_;
     } catch (const InputError& error) {
@@ -143,6 +144,11 @@ void Session::restart() {
     pushes_.clear();
     measurements.breaks = measurements.contacts = 0;
     log.add("restart");
+}
+
+void Session::setSceneHits(bool wanted) {
+    settings.sceneHits = wanted;
+    buildScene(scene(), wanted ? "scene_hits_on" : "scene_hits_off");
 }
 
 void Session::setPaused(bool paused) {
@@ -290,7 +296,7 @@ void Session::tryShaders() {
     gl::useShaders(shaders_->source());
     const State state = stage->simulation.state();
     try {
-        auto next = std::make_unique<Stage>(scene(), settings.solver, &state);
+        auto next = std::make_unique<Stage>(scene(), settings.solver, settings.sceneHits, &state);
         // Some programs are made when they are first used: now, as mistakes have to show here.
         for (const DrawnMesh mesh : {DrawnMesh::Simulation, DrawnMesh::Display})
             for (const DrawStyle style : {DrawStyle::Wireframe, DrawStyle::Solid}) {

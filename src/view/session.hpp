@@ -64,6 +64,7 @@ class Session {
 
     // --- time ---
     void restart();
+    void setSceneHits(bool);
     void setPaused(bool);
     void stepOnce(int steps);
     void setSpeed(double);

@@ -86,7 +86,7 @@ Settings readSettings(const fs::path& path) {
     const TableReader reader(
         document, path.string(), "the settings",
         {"solver", "mesh", "style", "colour", "samples", "vsync", "full_screen", "tool", "shot",
-         "push", "radius", "interface_scale", "panel", "width", "height"});
+         "push", "radius", "scene_hits", "interface_scale", "panel", "width", "height"});
     std::vector<std::string_view> names;
     for (const SolverInfo& solver : solvers()) names.push_back(solver.name);
     if (const auto index = reader.readChoice("solver", names)) settings.solver = names[*index];
@@ -100,6 +100,7 @@ Settings readSettings(const fs::path& path) {
     reader.read("shot", settings.shot, {1, 150, "m/s"});
     reader.read("push", settings.push, {1, 2000, "m/s²"});
     reader.read("radius", settings.radius, {0.02, 2, "m"});
+    reader.read("scene_hits", settings.sceneHits);
     reader.read("interface_scale", settings.interfaceScale, {0.5, 4});
     reader.read("panel", settings.panel);
     reader.read("width", settings.width, {320, 16384});
@@ -126,6 +127,7 @@ void writeSettings(const fs::path& path, const Settings& settings) {
         {"shot", formatNumber(settings.shot)},
         {"push", formatNumber(settings.push)},
         {"radius", formatNumber(settings.radius)},
+        {"scene_hits", settings.sceneHits ? "true" : "false"},
         {"interface_scale", formatNumber(settings.interfaceScale)},
         {"panel", settings.panel ? "true" : "false"},
         {"width", std::to_string(settings.width)},

@@ -3,6 +3,14 @@
 #include "gpu/pass_timer.hpp"
 
 namespace sunder::view {
+namespace {
+
+WorldDescription played(WorldDescription world, bool hits) {
+    if (!hits) world.events.clear();
+    return world;
+}
+
+}  // namespace
 
 void apply(const Push& push, const World& world, State& state) {
     if (push.object >= 0) {
@@ -23,8 +31,8 @@ void apply(const Push& push, const World& world, State& state) {
     }
 }
 
-Simulation::Simulation(Scene scene, const std::string& solver, const State* state)
-    : scene_(std::move(scene)), world_(scene_.world), buffers_(world_) {
+Simulation::Simulation(Scene scene, const std::string& solver, bool hits, const State* state)
+    : scene_(std::move(scene)), world_(played(scene_.world, hits)), buffers_(world_) {
     const SolverInfo& info = findSolver(solver);
     auto made = makeSolver(info, world_, &buffers_);
     if (state) made->setState(*state);

@@ -24,9 +24,10 @@ void apply(const Push&, const World&, State&);
 /// A world and the solver that advances it. Needs a current GL context.
 class Simulation {
   public:
-    /// Throws InputError for a scene that cannot be laid out. `state`: of a world with the same
-    /// cells, to go on from.
-    Simulation(Scene, const std::string& solver, const State* state = nullptr);
+    /// Throws InputError for a scene that cannot be laid out. `hits`: whether the scene's own
+    /// events push bodies; throws there are anyway. `state`: of a world with the same cells, to go
+    /// on from.
+    Simulation(Scene, const std::string& solver, bool hits, const State* state = nullptr);
 
     const Scene& scene() const { return scene_; }
     const World& world() const { return world_; }

@@ -11,8 +11,8 @@ namespace sunder::view {
 /// new one fails, the old one goes on.
 class Stage {
   public:
-    Stage(Scene scene, const std::string& solver, const State* state = nullptr)
-        : simulation(std::move(scene), solver, state),
+    Stage(Scene scene, const std::string& solver, bool hits, const State* state = nullptr)
+        : simulation(std::move(scene), solver, hits, state),
           renderer(simulation.world(), simulation.buffers()),
           colours(simulation.world()) {}
 

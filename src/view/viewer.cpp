@@ -237,6 +237,12 @@ void view(const Options& options) {
     shown.fullScreen = settings.fullScreen;
     shown.vsync = settings.vsync;
     const auto window = gl::Window::open(shown);
+    // A first time without a GPU: what the CPU is good at.
+    std::error_code error;
+    if (window->info().software && !std::filesystem::exists(settingsFile(), error)) {
+        settings.samples = 1;
+        settings.solver = "cpu";
+    }
     Viewer viewer(*window, options, settings);
     if (!problem.empty()) viewer.sayProblem(problem);
     viewer.run();

@@ -17,16 +17,22 @@ void drawHitTools(Session& session, Interface& ui) {
         settings.tool = kTools[chosen];
         session.changed("tool", toString(settings.tool));
     }
+    ui.label("Strength");
     if (settings.tool == Tool::Shoot)
-        ui.slider("strength", "Strength", settings.shot, 1, 150, "m/s", true,
+        ui.slider("strength", settings.shot, 1, 150, "m/s", true,
                   "Speed that the middle of the spot gets. Shift and wheel.");
     else
-        ui.slider("strength", "Strength", settings.push, 1, 2000, "m/s²", true,
+        ui.slider("strength", settings.push, 1, 2000, "m/s²", true,
                   "Acceleration of the middle of the spot while you hold the button. Shift and "
                   "wheel.");
-    ui.slider("radius", "Radius", settings.radius, 0.02, 2, "m", true,
+    ui.label("Radius");
+    ui.slider("radius", settings.radius, 0.02, 2, "m", true,
               "Size of the spot: the ring around the mouse. Ctrl and wheel.");
     ImGui::TextDisabled("Keys 1 to 9 hit at nine places.");
+    bool own = settings.sceneHits;
+    if (ui.checkbox("scene_hits", "The scene's own hits", own,
+                    "Starts again with the hits that the scene's file has, as `sunder run` does."))
+        session.setSceneHits(own);
 }
 
 }  // namespace sunder::view

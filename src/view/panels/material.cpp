@@ -96,9 +96,10 @@ bool drawField(const MaterialField& field, Interface& ui, Material& material) {
         return field.key.ends_with("colour") ? colourSliders(field, ui, value)
                                              : vectorSliders(field, ui, value);
     }
-    return ui.slider(std::string(field.key), label(field.key), material.*field.scalar,
-                     sliderMin(field), sliderMax(field), field.unit, logarithmic(field),
-                     field.help);
+    ImGui::TextUnformatted(label(field.key).c_str());
+    ui.tooltip(field.help);
+    return ui.slider(std::string(field.key), material.*field.scalar, sliderMin(field),
+                     sliderMax(field), field.unit, logarithmic(field), field.help);
 }
 
 template <class Enum>

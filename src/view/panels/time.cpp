@@ -18,7 +18,8 @@ void drawTime(Session& session, Interface& ui) {
     if (ui.button("help", "Keys", "All keys: F1")) session.help = !session.help;
 
     double speed = clock.speed();
-    if (ui.slider("speed", "Speed of time", speed, Clock::kSlowest, 1, "1", true,
+    ui.label("Speed");
+    if (ui.slider("speed", speed, Clock::kSlowest, 1, "x", true,
                   "1: as fast as time outside. Less: slow motion. Keys [ and ]"))
         session.setSpeed(speed);
 

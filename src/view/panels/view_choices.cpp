@@ -24,7 +24,7 @@ void drawSolvers(Session& session, Interface& ui) {
 template <class Value, std::size_t Count>
 void drawChoice(Session& session, Interface& ui, const char* name, const char* label, Value& value,
                 const Value (&values)[Count], const std::string_view (&labels)[Count]) {
-    ImGui::TextDisabled("%s", label);
+    ui.label(label);
     const int current = static_cast<int>(std::find(values, values + Count, value) - values);
     const int chosen = ui.choice(name, labels, current);
     if (chosen < 0) return;
@@ -41,13 +41,13 @@ void drawViewChoices(Session& session, Interface& ui) {
     ui.heading("View");
     drawChoice(session, ui, "mesh", "Mesh", settings.mesh,
                {DrawnMesh::Display, DrawnMesh::Simulation}, {"Display", "Simulation"});
-    drawChoice(session, ui, "style", "Drawn as", settings.style,
+    drawChoice(session, ui, "style", "Style", settings.style,
                {DrawStyle::Solid, DrawStyle::Wireframe, DrawStyle::Overlay},
                {"Solid", "Wireframe", "Both"});
-    drawChoice(session, ui, "colour", "Colours show", settings.colour,
+    drawChoice(session, ui, "colour", "Colours", settings.colour,
                {WallColour::Material, WallColour::Stress, WallColour::Speed, WallColour::Piece},
                {"Material", "Stress", "Speed", "Pieces"});
-    ImGui::TextDisabled("Antialiasing");
+    ui.label("Samples", "Antialiasing: samples in each pixel. More: smoother edges, slower.");
     constexpr int kSamples[] = {1, 2, 4, 8};
     const int most = std::max(1, session.window.info().maxSamples);
     std::vector<std::string_view> labels{"Off"};
@@ -77,7 +77,8 @@ void drawViewChoices(Session& session, Interface& ui) {
     // Letters grow when the mouse lets go, or the slider would run away under it.
     static double scale = 0;
     if (!ImGui::IsAnyItemActive()) scale = settings.interfaceScale;
-    ui.slider("interface_scale", "Size of letters", scale, 0.5, 4, "1", true, "");
+    ui.label("Letters", "Size of letters, and of all around them");
+    ui.slider("interface_scale", scale, 0.5, 4, "x", true, "");
     if (ImGui::IsItemDeactivatedAfterEdit()) settings.interfaceScale = scale;
 }
 
