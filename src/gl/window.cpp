@@ -57,17 +57,13 @@ class GlfwWindow final : public Window {
     }
 
     void poll() override {
-        std::fill(std::begin(input_.buttonPressed), std::end(input_.buttonPressed), false);
-        input_.pressed.clear();
+        input_.keys.clear();
+        input_.clicks.clear();
         input_.wheel = 0;
         if (minimised())
             glfwWaitEventsTimeout(0.1);
         else
             glfwPollEvents();
-        input_.shift = down(GLFW_KEY_LEFT_SHIFT) || down(GLFW_KEY_RIGHT_SHIFT);
-        input_.control = down(GLFW_KEY_LEFT_CONTROL) || down(GLFW_KEY_RIGHT_CONTROL) ||
-                         down(GLFW_KEY_LEFT_SUPER) || down(GLFW_KEY_RIGHT_SUPER);
-        input_.alt = down(GLFW_KEY_LEFT_ALT);
         // The desktop's coordinates are larger than pixels on some high-density screens.
         const double density = pixelsPerCoordinate();
         input_.moveX = cursorX_ * density - input_.x;
@@ -145,8 +141,10 @@ class GlfwWindow final : public Window {
             of(w).cursorX_ = x;
             of(w).cursorY_ = y;
         });
-        glfwSetScrollCallback(handle(),
-                              [](GLFWwindow* w, double, double y) { of(w).input_.wheel += y; });
+        glfwSetScrollCallback(handle(), [](GLFWwindow* w, double, double y) {
+            of(w).input_.wheel += y;
+            of(w).input_.wheelWith = of(w).modifiers();
+        });
         glfwSetWindowFocusCallback(handle(), [](GLFWwindow* w, int focused) {
             // Releases that go elsewhere are never heard of.
             if (!focused) of(w).letGo();
@@ -156,7 +154,7 @@ class GlfwWindow final : public Window {
     void takeKey(Key key, int action) {
         if (key == Key::None) return;
         if (action == GLFW_PRESS) {
-            input_.pressed.push_back(key);
+            input_.keys.push_back({key, modifiers()});
             input_.held.insert(key);
         } else if (action == GLFW_RELEASE) {
             input_.held.erase(key);
@@ -165,14 +163,27 @@ class GlfwWindow final : public Window {
     void takeButton(int button, int action) {
         if (button < 0 || button >= kMouseButtons) return;
         input_.buttonHeld[button] = action == GLFW_PRESS;
-        input_.buttonPressed[button] |= action == GLFW_PRESS;
+        if (action != GLFW_PRESS) return;
+        const double density = pixelsPerCoordinate();
+        input_.clicks.push_back({static_cast<MouseButton>(button), cursorX_ * density,
+                                 cursorY_ * density, modifiers()});
     }
     void letGo() {
         input_.held.clear();
         std::fill(std::begin(input_.buttonHeld), std::end(input_.buttonHeld), false);
     }
 
-    bool down(int key) const { return glfwGetKey(handle(), key) == GLFW_PRESS; }
+    /// As of the event that is being handled.
+    Modifiers modifiers() const {
+        const auto down = [&](int left, int right) {
+            return glfwGetKey(handle(), left) == GLFW_PRESS ||
+                   glfwGetKey(handle(), right) == GLFW_PRESS;
+        };
+        return {down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+                down(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL) ||
+                    down(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER),
+                down(GLFW_KEY_LEFT_ALT, GLFW_KEY_LEFT_ALT)};
+    }
     std::pair<int, int> framebufferSize() const {
         int w = 0, h = 0;
         glfwGetFramebufferSize(handle(), &w, &h);

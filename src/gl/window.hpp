@@ -45,16 +45,32 @@ constexpr Key key(char printed) {
 enum class MouseButton { Left, Right, Middle };
 inline constexpr int kMouseButtons = 3;
 
-/// What mouse and keyboard did since the last Window::poll(), and what is held now. Places are in
-/// pixels of the framebuffer, from the top left.
-struct Input {
-    std::vector<Key> pressed;  ///< in order; repeats of a held key are left out
-    std::set<Key> held;
+struct Modifiers {
     bool shift = false, control = false, alt = false;
-    bool buttonPressed[kMouseButtons] = {}, buttonHeld[kMouseButtons] = {};
+};
+
+/// What mouse and keyboard did since the last Window::poll(), and what is held now. Places are in
+/// pixels of the framebuffer, from the top left. What was pressed comes with the keys held at that
+/// time: a frame may be long.
+struct Input {
+    struct KeyPress {
+        Key key;
+        Modifiers with;
+    };
+    struct Click {
+        MouseButton button;
+        double x, y;
+        Modifiers with;
+    };
+    std::vector<KeyPress> keys;  ///< in order; repeats of a held key are left out
+    std::vector<Click> clicks;   ///< buttons as they went down, in order
+    std::set<Key> held;
+    bool buttonHeld[kMouseButtons] = {};
+    bool anyButton() const { return buttonHeld[0] || buttonHeld[1] || buttonHeld[2]; }
     double x = 0, y = 0;          ///< the pointer
     double moveX = 0, moveY = 0;  ///< how far it went
     double wheel = 0;             ///< notches, away from the hand is positive
+    Modifiers wheelWith;
 };
 
 /// A window with a GL 4.1 core debug context, and its mouse and keyboard. Main thread only. The

@@ -29,9 +29,9 @@ void nextSolver(Session& session) {
 }
 
 /// True: quit.
-bool press(Session& session, Key key, const Input& input) {
+bool pressKey(Session& session, Key key, const gl::Modifiers& with) {
     Settings& settings = session.settings;
-    if (input.control) return key == gl::key('Q');
+    if (with.control) return key == gl::key('Q');
     if (key >= gl::key('1') && key <= gl::key('9')) {
         session.hitPreset(static_cast<int>(key) - '0');
         return false;
@@ -123,10 +123,10 @@ void fly(OrbitCamera& camera, const Input& input, double elapsed) {
 void turnWheel(Session& session, const Input& input) {
     Settings& settings = session.settings;
     const double factor = std::pow(1.1, input.wheel);
-    if (input.control) {
+    if (input.wheelWith.control) {
         settings.radius = std::clamp(settings.radius * factor, 0.02, 2.0);
         session.log.add("radius", {{"value", settings.radius}});
-    } else if (input.shift) {
+    } else if (input.wheelWith.shift) {
         const bool shot = settings.tool == Tool::Shoot;
         double& strength = shot ? settings.shot : settings.push;
         strength = std::clamp(strength * factor, 1.0, shot ? 150.0 : 2000.0);
@@ -147,50 +147,31 @@ bool Controls::handle(Session& session, const Interface& ui, double elapsed) {
 bool Controls::handleKeys(Session& session, const Interface& ui, double elapsed) {
     if (ui.wantsKeyboard()) return true;
     const Input& input = session.window.input();
-    for (const Key key : input.pressed)
-        if (press(session, key, input)) return false;
-    if (!input.control) fly(session.camera, input, elapsed);
+    for (const Input::KeyPress& pressed : input.keys)
+        if (pressKey(session, pressed.key, pressed.with)) return false;
+    fly(session.camera, input, elapsed);
     return true;
 }
 
 void Controls::handleMouse(Session& session, const Interface& ui) {
     const Input& input = session.window.input();
-    constexpr int kLeft = static_cast<int>(gl::MouseButton::Left);
-    constexpr int kRight = static_cast<int>(gl::MouseButton::Right);
-    constexpr int kMiddle = static_cast<int>(gl::MouseButton::Middle);
     const bool over = session.area.contains(input.x, input.y) && !ui.wantsMouse();
 
-    // Where the mouse points; a ray costs a GPU solver's state, so not while nothing moves it.
+    // A press and its release may come in one frame: what it started is done below all the same.
+    if (!input.anyButton()) drag_ = Drag::None;
+    for (const Input::Click& click : input.clicks)
+        if (session.area.contains(click.x, click.y) && !ui.wantsMouse()) press(session, click);
+
+    // Where the mouse points. That costs a GPU solver's state: not for many cells, and seldom while
+    // the mouse rests.
     const bool moved = input.moveX != 0 || input.moveY != 0;
     const bool few = session.stage->simulation.world().cellCount() <= kMostHoveredCells;
-    const bool pressed = input.buttonPressed[kLeft] || drag_ == Drag::Hit;
-    if (!over && drag_ != Drag::Hit) {
+    if (!over && drag_ != Drag::Hit)
         session.hovered.reset();
-    } else if (pressed || (few && drag_ == Drag::None && (moved || ++sinceLook_ > 15))) {
-        sinceLook_ = 0;
-        session.hovered = session.stage->pick(session.camera.description().position,
-                                              session.rayAt(input.x, input.y));
-    }
+    else if (drag_ == Drag::Hit || (few && drag_ == Drag::None && (moved || ++sinceLook_ > 15)))
+        lookAt(session, input.x, input.y);
 
     if (over && input.wheel != 0) turnWheel(session, input);
-    if (over && input.buttonPressed[kLeft]) {
-        drag_ = session.hovered ? Drag::Hit : Drag::Orbit;
-        if (session.hovered && input.alt) {
-            const Tool tool = std::exchange(session.settings.tool, Tool::Look);
-            shoot(session);
-            session.settings.tool = tool;
-            drag_ = Drag::None;
-        } else if (drag_ == Drag::Hit && session.settings.tool != Tool::Push &&
-                   session.settings.tool != Tool::Pull) {
-            shoot(session);
-        }
-    }
-    if (over && input.buttonPressed[kRight]) drag_ = input.shift ? Drag::Pan : Drag::Orbit;
-    if (over && input.buttonPressed[kMiddle]) drag_ = Drag::Pan;
-    // A press and its release may come in one frame: what it started is done.
-    if (!input.buttonHeld[kLeft] && !input.buttonHeld[kRight] && !input.buttonHeld[kMiddle])
-        drag_ = Drag::None;
-
     if (drag_ == Drag::Orbit)
         session.camera.orbit(-5 * input.moveX / session.area.height,
                              5 * input.moveY / session.area.height);
@@ -198,14 +179,38 @@ void Controls::handleMouse(Session& session, const Interface& ui) {
         session.camera.pan(input.moveX / session.area.height, -input.moveY / session.area.height);
     if (drag_ == Drag::Hit && session.settings.tool == Tool::Shoot && moved &&
         sinceShot_ > kShotsApart)
-        shoot(session);
+        hit(session, input.x, input.y);
 }
 
-void Controls::shoot(Session& session) {
+void Controls::press(Session& session, const Input::Click& click) {
+    if (click.button != gl::MouseButton::Left) {
+        const bool pan = click.button == gl::MouseButton::Middle || click.with.shift;
+        drag_ = pan ? Drag::Pan : Drag::Orbit;
+        return;
+    }
+    lookAt(session, click.x, click.y);
+    drag_ = session.hovered ? Drag::Hit : Drag::Orbit;
     if (!session.hovered) return;
-    const Input& input = session.window.input();
+    if (click.with.alt) {
+        session.look(*session.hovered);
+        drag_ = Drag::None;
+    } else if (session.settings.tool == Tool::Look) {
+        session.look(*session.hovered);
+    } else if (session.settings.tool == Tool::Shoot) {
+        hit(session, click.x, click.y);
+    }
+}
+
+void Controls::lookAt(Session& session, double x, double y) {
+    sinceLook_ = 0;
+    session.hovered =
+        session.stage->pick(session.camera.description().position, session.rayAt(x, y));
+}
+
+void Controls::hit(Session& session, double x, double y) {
+    if (!session.hovered) return;
     sinceShot_ = 0;
-    session.hit(*session.hovered, session.rayAt(input.x, input.y), 0);
+    session.hit(*session.hovered, session.rayAt(x, y), 0);
 }
 
 void Controls::holdHits(Session& session, double seconds) {

@@ -17,7 +17,9 @@ class Controls {
 
     bool handleKeys(Session&, const Interface&, double elapsed);
     void handleMouse(Session&, const Interface&);
-    void shoot(Session&);
+    void press(Session&, const gl::Input::Click&);
+    void lookAt(Session&, double x, double y);
+    void hit(Session&, double x, double y);
 
     Drag drag_ = Drag::None;
     double sinceShot_ = 0;  ///< s

@@ -208,12 +208,7 @@ Vec3 Session::rayAt(double x, double y) const {
 }
 
 void Session::hit(const Spot& spot, const Vec3& direction, double seconds) {
-    if (settings.tool == Tool::Look) {
-        if (spot.cell < 0) return;
-        lookedAt = spot.cell;
-        log.add("look", {{"cell", spot.cell}});
-        return;
-    }
+    if (settings.tool == Tool::Look) return look(spot);
     const double change = settings.tool == Tool::Shoot ? settings.shot : settings.push * seconds;
     const double sign = settings.tool == Tool::Pull ? -1 : 1;
     pushes_.push_back({spot.place, sign * change * direction, settings.radius, spot.object});
@@ -223,6 +218,12 @@ void Session::hit(const Spot& spot, const Vec3& direction, double seconds) {
                         {"cell", spot.cell},
                         {"object", spot.object}});
     everHit = true;
+}
+
+void Session::look(const Spot& spot) {
+    if (spot.cell < 0) return;
+    lookedAt = spot.cell;
+    log.add("look", {{"cell", spot.cell}});
 }
 
 void Session::hitPreset(int number) {

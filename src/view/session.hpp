@@ -81,6 +81,8 @@ class Session {
     Vec3 rayAt(double x, double y) const;
     /// What the tool does at a spot, for `seconds` of simulated time where it goes on.
     void hit(const Spot&, const Vec3& direction, double seconds);
+    /// Reads the stress of what is there.
+    void look(const Spot&);
     /// 1 to 9, as on a keypad: the bodies' lower left to their upper right.
     void hitPreset(int number);
     std::vector<Push> takePushes() { return std::exchange(pushes_, {}); }

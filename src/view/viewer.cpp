@@ -50,7 +50,8 @@ class Viewer {
             if (!frame(elapsed, now)) break;
         }
         remember();
-        session_.log.add("closed", {{"frames", frames_}});
+        session_.stage.reset();
+        session_.log.add("closed", {{"frames", frames_}, {"gl_bytes_left", gl::allocatedBytes()}});
     }
     void sayProblem(const std::string& text) { session_.say(text, true); }
 

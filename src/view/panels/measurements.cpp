@@ -21,15 +21,13 @@ std::string brief(double value, const char* unit) {
 }
 
 void drawPlot(Interface& ui, const char* label, const History& history) {
-    char now[48];
-    std::snprintf(now, sizeof now, "%.2f ms", history.mean(30));
-    ImGui::TextUnformatted(label);
-    ImGui::SameLine(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(now).x);
-    ImGui::TextUnformatted(now);
+    char now[96];
+    std::snprintf(now, sizeof now, "%s: %.2f ms", label, history.mean(30));
     // The scale starts at a frame of 60 a second, so that quick passes look quick.
     const float top = static_cast<float>(std::max(history.largest(), 1000.0 / 60));
     ImGui::PlotLines((std::string("###plot.") + label).c_str(), history.values(), History::kLength,
-                     history.next(), nullptr, 0, top, {-1, ui.length(26)});
+                     history.next(), now, 0, top,
+                     {ImGui::GetContentRegionAvail().x, ui.length(34)});
     ui.mark(std::string("plot.") + label);
 }
 

@@ -1,0 +1,64 @@
+#pragma once
+#include <sys/types.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "image/image.hpp"
+
+/// A child process with its own environment, ended with its owner.
+class Child {
+  public:
+    Child() = default;
+    Child(const std::vector<std::string>& command, const std::map<std::string, std::string>& set,
+          const std::filesystem::path& output);
+    ~Child();
+    Child(Child&&) noexcept;
+    Child& operator=(Child&&) noexcept;
+
+    bool running();
+    /// Waits up to so many seconds; −1: it still runs, 128 + n: signal n ended it.
+    int wait(double seconds);
+
+  private:
+    pid_t pid_ = -1;
+    int code_ = -1;
+};
+
+/// A screen without a monitor (Xvfb), with a mouse and a keyboard (xdotool).
+class Screen {
+  public:
+    Screen(int width, int height);
+    ~Screen();
+    Screen(const Screen&) = delete;
+    Screen& operator=(const Screen&) = delete;
+
+    const std::string& display() const { return display_; }
+    const std::filesystem::path& folder() const { return folder_; }  ///< for a test's files
+    /// xdotool with these arguments.
+    void act(const std::string& arguments) const;
+    /// What is on it now.
+    sunder::Image picture() const;
+
+  private:
+    std::filesystem::path folder_;
+    std::string display_;
+    Child server_;
+};
+
+/// Waits for `condition`, but not longer than any sound machine takes.
+template <class Condition>
+bool eventually(Condition&& condition);
+
+void sleepFor(double seconds);
+
+template <class Condition>
+bool eventually(Condition&& condition) {
+    for (int i = 0; i < 600; ++i) {
+        if (condition()) return true;
+        sleepFor(0.1);
+    }
+    return false;
+}
