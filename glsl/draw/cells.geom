@@ -63,7 +63,7 @@ void emit(int corner, vec3 p, vec3 faceNormal, vec2 onFace, bool rising) {
 #ifdef LINES
     baseColour = looks[law[0]].outside.rgb;
 #endif
-    seed = fract(0.618034 * float(lattice[0].w));
+    seed = bodySeed(uint(lattice[0].w));
     insideFace = float(inside[0]);
     boundaryFace = onBoundary(cellSize) ? 1.0 : 0.0;
     cracks = crackedEdges[0];

@@ -34,6 +34,7 @@ struct RunOptions {
     std::string size = "1280x720";
     std::string out;
     int pngEvery = 20;
+    std::string mesh = "display";
     std::string style = "solid";
     std::string json;
     std::string state;
@@ -50,6 +51,7 @@ RenderSettings renderSettings(const RunOptions& options) {
         settings.height < 16 || settings.width > 8192 || settings.height > 8192)
         throw InputError("--size: '" + options.size +
                          "' is not WIDTHxHEIGHT with both from 16 to 8192, for example 1280x720");
+    if (options.mesh == "simulation") settings.mesh = DrawnMesh::Simulation;
     if (options.style == "wireframe") settings.style = DrawStyle::Wireframe;
     if (options.style == "overlay") settings.style = DrawStyle::Overlay;
     return settings;
@@ -213,8 +215,12 @@ void addRun(CLI::App& app, Action& chosen) {
         ->type_name("EVERY")
         ->capture_default_str();
     command
-        ->add_option("--style", options->style,
-                     "how the simulation mesh is drawn: solid, wireframe or overlay")
+        ->add_option("--mesh", options->mesh,
+                     "what is drawn of walls: display (torn edges) or simulation (tetrahedra)")
+        ->check(CLI::IsMember({"display", "simulation"}))
+        ->capture_default_str();
+    command
+        ->add_option("--style", options->style, "how walls are drawn: solid, wireframe or overlay")
         ->check(CLI::IsMember({"solid", "wireframe", "overlay"}))
         ->capture_default_str();
     command->add_option("--state", options->state, "write the last state as .vtu (ParaView)")

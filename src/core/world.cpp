@@ -21,11 +21,6 @@ SidePlace place(Side side) {
     return {static_cast<int>(side) / 2, static_cast<int>(side) % 2};
 }
 
-/// A body's own seed, so that fifty copies of a wall break in fifty ways.
-std::uint64_t bodySeed(std::uint64_t seed, std::size_t body) {
-    return seed * 0x9e3779b97f4a7c15u + body;
-}
-
 }  // namespace
 
 IVec3 Body::coordinates(int cell) const {
@@ -58,6 +53,10 @@ World::World(WorldDescription description) : description_(std::move(description)
 
 const Material& World::materialOf(int cell) const {
     return description_.materials[laws_[cellLaw_[cell]].material];
+}
+
+std::uint64_t World::bodySeed(int body) const {
+    return description_.seed * 0x9e3779b97f4a7c15u + static_cast<std::uint64_t>(body);
 }
 
 int World::parity(int cell) const {
@@ -198,7 +197,7 @@ void World::makeBonds() {
         if (!present(cell)) continue;
         const int bodyIndex = cellBody_[cell];
         const Body& body = bodies_[bodyIndex];
-        const std::uint64_t seed = bodySeed(description_.seed, bodyIndex);
+        const std::uint64_t seed = bodySeed(bodyIndex);
         const Vec3 centre =
             (body.coordinates(cell).cast<double>() + Vec3(.5, .5, .5)).cwiseProduct(body.cellSize);
         for (int axis = 0; axis < 3; ++axis) {

@@ -188,6 +188,8 @@ class World {
     /// Row of laws(), or −1 for an absent cell.
     int lawOf(int cell) const { return cellLaw_[cell]; }
     const Material& materialOf(int cell) const;  ///< of a present cell
+    /// A body's own seed, so that fifty copies of a wall break in fifty ways.
+    std::uint64_t bodySeed(int body) const;
     /// 0 or 1: which of the two mirrored splits into tetrahedra (parity of i+j+k).
     int parity(int cell) const;
     /// Cell next to this one along axis (0..2) in direction ±1, or −1 when there is none.

@@ -71,10 +71,10 @@ void PictureTarget::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
 }
 
-void PictureTarget::begin() const {
+void PictureTarget::begin(const glm::vec3& background) const {
     bind();
     glViewport(0, 0, width_, height_);
-    glClearColor(0, 0, 0, 1);
+    glClearColor(background.r, background.g, background.b, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 

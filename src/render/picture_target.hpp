@@ -1,4 +1,6 @@
 #pragma once
+#include <glm/glm.hpp>
+
 #include "gl/objects.hpp"
 #include "image/image.hpp"
 
@@ -27,8 +29,8 @@ class PictureTarget {
     int sampleCount() const { return sampleCount_; }
     const gl::Texture& depth() const { return depth_; }
 
-    /// Binds the multisampled framebuffer, cleared, and its viewport.
-    void begin() const;
+    /// Binds the multisampled framebuffer, cleared to a linear colour, and its viewport.
+    void begin(const glm::vec3& background) const;
     /// Binds it as it is.
     void bind() const;
     /// Averages the samples; the plain framebuffer is bound afterwards.

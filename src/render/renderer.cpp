@@ -5,6 +5,7 @@
 #include "render/backdrop.hpp"
 #include "render/camera.hpp"
 #include "render/cell_pass.hpp"
+#include "render/display_pass.hpp"
 #include "render/object_pass.hpp"
 #include "render/picture_target.hpp"
 #include "render/scene_bounds.hpp"
@@ -58,63 +59,113 @@ struct Passes {
 
     template <typename... Arguments>
     explicit Passes(const Arguments&... arguments)
-        : depth(CellPass::Output::Depth, arguments...),
-          shaded(CellPass::Output::Shaded, arguments...),
-          lines(CellPass::Output::Lines, arguments...) {}
+        : depth(Pass::Output::Depth, arguments...),
+          shaded(Pass::Output::Shaded, arguments...),
+          lines(Pass::Output::Lines, arguments...) {}
 };
 
-/// What draws materials that let light through.
-struct Glass {
-    CellPass veil, shaded;
-    Transparency layers;
+/// The same for what lets light through.
+template <typename Pass>
+struct GlassPasses {
+    Pass veil, shaded;
 
-    Glass(const gpu::WorldBuffers& buffers, const gl::VertexArray& noAttributes)
-        : veil(CellPass::Output::Veil, buffers, noAttributes),
-          shaded(CellPass::Output::Transparent, buffers, noAttributes),
-          layers(noAttributes) {}
+    template <typename... Arguments>
+    explicit GlassPasses(const Arguments&... arguments)
+        : veil(Pass::Output::Veil, arguments...), shaded(Pass::Output::Transparent, arguments...) {}
+};
+
+/// The display mesh and its passes.
+struct Display {
+    DisplayMesh mesh;
+    DisplayBuffers buffers;
+    Passes<DisplayPass> passes;
+    std::optional<GlassPasses<DisplayPass>> glass;  ///< where there is any
+
+    Display(const World& world, const gpu::WorldBuffers& worldBuffers)
+        : mesh(world), buffers(mesh), passes(worldBuffers, buffers) {
+        if (!buffers.empty(DisplayBuffers::Part::Transparent)) glass.emplace(worldBuffers, buffers);
+    }
 };
 
 }  // namespace
 
 struct Renderer::Impl {
+    const World& world;
+    const gpu::WorldBuffers& worldBuffers;
     SceneBounds bounds;
     gl::VertexArray noAttributes = gl::makeVertexArray();
     Shading shading;
     Backdrop backdrop;
     Passes<CellPass> cells;
-    std::optional<Passes<ObjectPass>> objects;  ///< where the world has any
-    std::optional<Glass> glass;                 ///< where a material is transparent
+    std::optional<Display> display;              ///< once it has been asked for
+    std::optional<Passes<ObjectPass>> objects;   ///< where the world has any
+    std::optional<GlassPasses<CellPass>> glass;  ///< where a material lets light through
+    Transparency transparency;
     PictureTarget target;
 
-    Impl(const World& world, const gpu::WorldBuffers& buffers)
-        : bounds(sceneBounds(world)),
+    Impl(const World& w, const gpu::WorldBuffers& buffers)
+        : world(w),
+          worldBuffers(buffers),
+          bounds(sceneBounds(world)),
           shading(world, bounds, noAttributes),
           backdrop(bounds, noAttributes),
-          cells(buffers, noAttributes) {
+          cells(buffers, noAttributes),
+          transparency(noAttributes) {
         if (!world.objects().empty()) objects.emplace(world, buffers, noAttributes);
         if (shading.looks().anyTransparent()) glass.emplace(buffers, noAttributes);
     }
 
-    void drawShadows(const gpu::StateView& state) const {
+    Display& displayed() {
+        if (!display) display.emplace(world, worldBuffers);
+        return *display;
+    }
+
+    void drawShadows(const gpu::StateView& state, DrawnMesh mesh) {
         const ShadowMap& shadows = shading.shadows();
+        const bool simulation = mesh == DrawnMesh::Simulation;
         shadows.begin();
         // What stands between the sun and the map's box is flattened onto its front instead of
         // being cut off.
         glEnable(GL_DEPTH_CLAMP);
         shading.looks().bind();
-        cells.depth.begin();
-        cells.depth.draw(state, shadows.lightMatrix());
+        if (simulation) {
+            cells.depth.begin();
+            cells.depth.draw(state, shadows.lightMatrix());
+        } else {
+            const DisplayPass& pass = displayed().passes.depth;
+            pass.begin();
+            pass.draw(state, shadows.lightMatrix(), DisplayBuffers::Part::Opaque);
+        }
         if (objects) {
             objects->depth.begin();
             objects->depth.draw(state, shadows.lightMatrix());
         }
         if (glass) {
             shadows.beginVeil();
-            glass->veil.begin();
-            glass->veil.draw(state, shadows.lightMatrix());
+            if (simulation) {
+                glass->veil.begin();
+                glass->veil.draw(state, shadows.lightMatrix());
+            } else if (const auto& displayGlass = displayed().glass) {
+                displayGlass->veil.begin();
+                displayGlass->veil.draw(state, shadows.lightMatrix(),
+                                        DisplayBuffers::Part::Transparent);
+            }
             ShadowMap::endVeil();
         }
         glDisable(GL_DEPTH_CLAMP);
+    }
+
+    void drawSolid(const gpu::StateView& state, const Camera& camera, DrawnMesh mesh, float wire) {
+        glEnable(GL_CULL_FACE);
+        if (mesh == DrawnMesh::Simulation)
+            drawCells(cells.shaded, state, camera, wire);
+        else
+            drawDisplay(state, camera, wire > 0);
+        if (objects) {
+            shading.bind(objects->shaded.begin(), camera.eye);
+            objects->shaded.draw(state, camera.viewProjection());
+        }
+        if (glass) transparency.draw(target, [&] { drawGlass(state, camera, mesh, wire); });
     }
 
     void drawCells(const CellPass& pass, const gpu::StateView& state, const Camera& camera,
@@ -125,27 +176,59 @@ struct Renderer::Impl {
         pass.draw(state, camera.viewProjection());
     }
 
-    void drawSolid(const gpu::StateView& state, const Camera& camera, float wire) {
-        glEnable(GL_CULL_FACE);
-        drawCells(cells.shaded, state, camera, wire);
-        if (objects) {
-            shading.bind(objects->shaded.begin(), camera.eye);
-            objects->shaded.draw(state, camera.viewProjection());
+    void drawGlass(const gpu::StateView& state, const Camera& camera, DrawnMesh mesh, float wire) {
+        if (mesh == DrawnMesh::Simulation) {
+            drawCells(glass->shaded, state, camera, wire);
+        } else if (const auto& displayGlass = displayed().glass) {
+            shading.bind(displayGlass->shaded.begin(), camera.eye);
+            displayGlass->shaded.draw(state, camera.viewProjection(),
+                                      DisplayBuffers::Part::Transparent);
         }
-        if (glass)
-            glass->layers.draw(target, [&] { drawCells(glass->shaded, state, camera, wire); });
+    }
+
+    void drawDisplay(const gpu::StateView& state, const Camera& camera, bool wire) {
+        const DisplayPass& pass = displayed().passes.shaded;
+        shading.bind(pass.begin(), camera.eye);
+        // Lines in front of the surface that they are on.
+        if (wire) glEnable(GL_POLYGON_OFFSET_FILL);
+        glPolygonOffset(1, 2);
+        pass.draw(state, camera.viewProjection(), DisplayBuffers::Part::Opaque);
+        glDisable(GL_POLYGON_OFFSET_FILL);
+        if (!wire) return;
+        glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+        drawDisplayLines(state, camera, glm::vec4(0.02f, 0.02f, 0.02f, 0.5f));
+        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    }
+
+    void drawDisplayLines(const gpu::StateView& state, const Camera& camera,
+                          const glm::vec4& colour) {
+        glDepthMask(GL_FALSE);
+        glEnable(GL_BLEND);
+        glBlendEquation(GL_FUNC_ADD);
+        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+        setUniform(displayed().passes.lines.begin(), "lineColour", colour);
+        displayed().passes.lines.draw(state, camera.viewProjection(), DisplayBuffers::Part::Opaque);
+        displayed().passes.lines.draw(state, camera.viewProjection(),
+                                      DisplayBuffers::Part::Transparent);
+        glDisable(GL_BLEND);
+        glDepthMask(GL_TRUE);
     }
 
     /// Lines hide nothing, so that the far side shows through.
-    void drawWireframe(const gpu::StateView& state, const Camera& camera) const {
+    void drawWireframe(const gpu::StateView& state, const Camera& camera, DrawnMesh mesh) {
         glDisable(GL_CULL_FACE);
         glDepthMask(GL_FALSE);
         glEnable(GL_BLEND);
         glBlendEquation(GL_FUNC_ADD);
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
         glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-        shading.bind(cells.lines.begin(), camera.eye);
-        cells.lines.draw(state, camera.viewProjection());
+        if (mesh == DrawnMesh::Simulation) {
+            shading.bind(cells.lines.begin(), camera.eye);
+            cells.lines.draw(state, camera.viewProjection());
+        } else {
+            drawDisplayLines(state, camera, glm::vec4(0.05f, 0.04f, 0.03f, 0.6f));
+            glEnable(GL_BLEND);
+        }
         if (!objects) return;
         shading.bind(objects->lines.begin(), camera.eye);
         objects->lines.draw(state, camera.viewProjection());
@@ -156,6 +239,10 @@ Renderer::Renderer(const World& world, const gpu::WorldBuffers& buffers)
     : impl_(std::make_unique<Impl>(world, buffers)) {}
 
 Renderer::~Renderer() = default;
+
+const DisplayMesh& Renderer::displayMesh() {
+    return impl_->displayed().mesh;
+}
 
 Image Renderer::draw(const gpu::StateView& state, const CameraDescription& description,
                      const RenderSettings& settings) {
@@ -168,13 +255,14 @@ Image Renderer::draw(const gpu::StateView& state, const CameraDescription& descr
     {
         const DrawingState drawing;
         const bool solid = settings.style != DrawStyle::Wireframe;
-        if (solid) impl.drawShadows(state);
-        impl.target.begin();
-        impl.backdrop.draw(camera, impl.shading, solid);
+        if (solid) impl.drawShadows(state, settings.mesh);
+        impl.target.begin(settings.background.value_or(glm::vec3(0)));
+        if (!settings.background) impl.backdrop.draw(camera, impl.shading, solid);
         if (solid)
-            impl.drawSolid(state, camera, settings.style == DrawStyle::Overlay ? 1.f : 0.f);
+            impl.drawSolid(state, camera, settings.mesh,
+                           settings.style == DrawStyle::Overlay ? 1.f : 0.f);
         else
-            impl.drawWireframe(state, camera);
+            impl.drawWireframe(state, camera, settings.mesh);
         impl.target.resolve();
     }
     return impl.target.read();

@@ -1,31 +1,46 @@
 #pragma once
+#include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 
+#include "core/display_mesh.hpp"
 #include "gpu/world_buffers.hpp"
 #include "image/image.hpp"
 #include "scene/scene.hpp"
 
 namespace sunder {
 
+enum class DrawnMesh {
+    Display,     ///< what is seen: sections with torn edges (core/display_mesh.hpp)
+    Simulation,  ///< the tetrahedra's hull
+};
+
 enum class DrawStyle {
     Solid,
-    Wireframe,  ///< edges of all tetrahedra on an empty background of sky and ground
+    Wireframe,  ///< edges of all triangles on an empty background of sky and ground
     Overlay,    ///< solid with the wireframe over it
 };
 
 struct RenderSettings {
     int width = 1280, height = 720;
     int samples = 4;  ///< multisampling; clamped to what the device has
+    DrawnMesh mesh = DrawnMesh::Display;
+    /// Linear RGB instead of sky and ground, to cut walls out by.
+    std::optional<glm::vec3> background = std::nullopt;
     DrawStyle style = DrawStyle::Solid;
 };
 
-/// Draws a world's simulation mesh (thesis, figure 6.6): sky, ground, sun with shadow, walls whose
-/// faces and flat normals a geometry shader makes from the node buffer. Cracks (broken bonds
-/// between faces that still touch) show as dark lines. Objects are smooth.
+/// Draws a world: sky, ground, sun with shadow, objects, and walls, either as their display mesh
+/// (thesis, figure 8.1) or as their simulation mesh (figure 6.6), whose faces and flat normals a
+/// geometry shader makes from the node buffer and whose cracks (broken bonds between faces that
+/// still touch) show as dark lines.
 class Renderer {
   public:
     Renderer(const World&, const gpu::WorldBuffers&);
     ~Renderer();
+
+    /// The display mesh, made when it is first drawn.
+    const DisplayMesh& displayMesh();
 
     /// Draws one picture off screen and reads it back. Waits for the GPU.
     Image draw(const gpu::StateView&, const CameraDescription&, const RenderSettings&);

@@ -42,7 +42,7 @@ State nowhere(const World& world) {
 }
 
 Image picture(const World& world, const State& state, const CameraDescription& camera,
-              DrawStyle style) {
+              DrawStyle style, DrawnMesh mesh) {
     gl::Context& context = testContext();
     const gpu::WorldBuffers buffers(world);
     gpu::StateUpload upload(world);
@@ -50,6 +50,7 @@ Image picture(const World& world, const State& state, const CameraDescription& c
     RenderSettings settings;
     settings.width = kWidth;
     settings.height = kHeight;
+    settings.mesh = mesh;
     settings.style = style;
     Image image = renderer.draw(upload.upload(state), camera, settings);
     const std::vector<std::string> errors = context.takeErrors();

@@ -20,7 +20,7 @@ State nowhere(const World& world);
 
 /// Draws and checks that GL found nothing wrong.
 Image picture(const World& world, const State& state, const CameraDescription& camera,
-              DrawStyle style = DrawStyle::Solid);
+              DrawStyle style = DrawStyle::Solid, DrawnMesh mesh = DrawnMesh::Simulation);
 /// Pixel coordinates, from the top left, of a point.
 glm::vec2 project(const World& world, const CameraDescription& description, const glm::vec3& p);
 

@@ -1,0 +1,157 @@
+// A vertex of the mesh that is seen (src/core/display_mesh.hpp; thesis, chapter 8): bound by barycentric coordinates to a
+// tetrahedron of the simulation mesh, straight from the solver's node buffer. displayedPosition() is the same on the CPU.
+#include "shared/layout.h"
+#include "shared/display_vertex.h"
+#include "physics/links.glsl"
+
+layout(location = 0) in vec3 rest;    // m, world
+layout(location = 1) in uvec2 place_;  // cell, code
+
+uniform usamplerBuffer cells;
+uniform samplerBuffer bodies;
+uniform samplerBuffer damage;  // of the bonds that each cell owns
+uniform int damageStride;      // texels from one cell's to the next
+uniform samplerBuffer displacements;
+uniform ivec2 displacementStrides;  // texels from one cell's to the next, from one corner's to the next
+uniform samplerBuffer restPositions;
+uniform mat4 viewProjection;
+
+#ifndef DEPTH_ONLY
+out vec3 position;       // m, world
+out vec3 place;          // m, at rest, from the body's origin
+flat out int cell;
+flat out float inside;   // 1 on a face that a broken bond has bared
+flat out float boundary;  // 1 on one between two clusters
+#endif
+
+// Depths must be the same to the bit in every pass that draws glass.
+invariant gl_Position;
+
+struct Lattice {
+    ivec3 strides;  // from a cell to its neighbours
+    vec3 cellSize;  // m
+    int firstCell;
+};
+
+Lattice latticeOf(int body) {
+    vec4 lattice = texelFetch(bodies, SUNDER_BODY_TEXELS * body);
+    ivec3 size = ivec3(lattice.xyz);
+    return Lattice(ivec3(1, size.x, size.x * size.y), texelFetch(bodies, SUNDER_BODY_TEXELS * body + 1).xyz,
+                   int(lattice.w));
+}
+
+// Octants around the vertex whose cells hang together with its own, as eight bits. `low`: cell of octant 0.
+uint groupAround(uint planes, uint own, int low, ivec3 strides) {
+    if (planes == 0u) return 1u << own;
+    uvec3 held = uvec3(0u);
+    for (uint octant = 0u; octant < 7u; ++octant) {
+        if ((octant & ~planes) != 0u || octant == planes) continue;
+        ivec3 at = ivec3(octant & 1u, octant >> 1 & 1u, octant >> 2);
+        vec3 broken = texelFetch(damage, damageStride * (low + at.x * strides.x + at.y * strides.y + at.z * strides.z)).xyz;
+        for (int axis = 0; axis < 3; ++axis) {
+            uint bit = 1u << uint(axis);
+            if ((planes & bit) != 0u && (octant & bit) == 0u && broken[axis] < 1.0) held[axis] |= 1u << octant;
+        }
+    }
+    return linkMask(held, int(own));
+}
+
+vec3 displacementOf(int c, int corner) {
+    return texelFetch(displacements, displacementStrides.x * c + displacementStrides.y * corner).xyz;
+}
+
+// Displacement at u, 0 to 1 in the cell c: of the tetrahedron that u lies in, or nearest to.
+vec3 displacementAt(int c, vec3 u) {
+    uint odd = (texelFetch(cells, c).r & SUNDER_CELL_ODD) != 0u ? 1u : 0u;
+    // Corner tetrahedra have their apex at 1, 2, 4, 7, in odd cells at 0, 3, 5, 6; three steps along the axes lead to their
+    // other corners.
+    int apex = 0;
+    vec3 steps = vec3(0.0);
+    float nearest = 1e30;
+    for (int i = 0; i < 4; ++i) {
+        int corner = i == 0 ? 0 : 7 - (1 << (i - 1));  // 0, 6, 5, 3
+        if (odd == 0u) corner ^= 7;                    // 7, 1, 2, 4
+        vec3 s = mix(u, 1.0 - u, bvec3((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0));
+        float far = s.x + s.y + s.z;
+        if (far >= nearest) continue;
+        nearest = far;
+        apex = corner;
+        steps = s;
+    }
+    if (nearest < 1.0)
+        return (1.0 - nearest) * displacementOf(c, apex) + steps.x * displacementOf(c, apex ^ 1) +
+               steps.y * displacementOf(c, apex ^ 2) + steps.z * displacementOf(c, apex ^ 4);
+    // The central tetrahedron has the other corners.
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < 4; ++i) {
+        int corner = i == 0 ? 0 : 7 - (1 << (i - 1));
+        if (odd == 1u) corner ^= 7;
+        vec3 s = mix(u, 1.0 - u, bvec3((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0));
+        sum += (1.0 - 0.5 * (s.x + s.y + s.z)) * displacementOf(c, corner);
+    }
+    return sum;
+}
+
+// Whether the bond through the cell's face holds: then nothing can see it.
+bool hidden(int c, uint code, ivec3 strides) {
+    if ((code & SUNDER_DISPLAY_FACE_INNER) == 0u) return false;
+    int face = int(code >> SUNDER_DISPLAY_FACE_BIT & 7u), axis = face >> 1;
+    int owner = (face & 1) == 1 ? c : c - strides[axis];
+    return texelFetch(damage, damageStride * owner)[axis] < 1.0;
+}
+
+void main() {
+    int self = int(place_.x);
+    uint code = place_.y;
+    uint body = texelFetch(cells, self).g;
+    Lattice lattice = latticeOf(int(body));
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside every view
+#ifndef DEPTH_ONLY
+    position = place = vec3(0.0);
+    cell = self;
+    inside = boundary = 0.0;
+#endif
+    if (hidden(self, code, lattice.strides)) return;
+
+    uint planes = 0u, own = 0u;
+    int low = self;
+    for (int axis = 0; axis < 3; ++axis) {
+        uint plane = code >> uint(SUNDER_DISPLAY_PLANES_BIT + 2 * axis) & 3u;
+        if (plane != 0u) planes |= 1u << uint(axis);
+        if (plane == 1u) {
+            own |= 1u << uint(axis);
+            low -= lattice.strides[axis];
+        }
+    }
+    uint group = groupAround(planes, own, low, lattice.strides);
+
+    // Bound to the cell that the vertex lies in, or else the next that hangs together with its own: the same for all of them.
+    uint side = code >> uint(SUNDER_DISPLAY_SIDE_BIT) & planes;
+    uint octant = own;
+    for (uint turn = 8u; turn-- > 0u;)
+        if ((turn & ~planes) == 0u && (group >> (side ^ turn) & 1u) != 0u) octant = side ^ turn;
+    ivec3 at = ivec3(octant & 1u, octant >> 1 & 1u, octant >> 2);
+    int bound = low + at.x * lattice.strides.x + at.y * lattice.strides.y + at.z * lattice.strides.z;
+
+    // What has come apart draws back. High octants of an axis: 170 = 0b10101010, 204 and 240.
+    const uvec3 HIGH = uvec3(170u, 204u, 240u);
+    vec3 p = rest;
+    uvec3 high = uvec3(group) & HIGH;
+    for (int axis = 0; axis < 3; ++axis) {
+        bool outside = (code >> uint(SUNDER_DISPLAY_OUTSIDE_BIT + axis) & 1u) != 0u;
+        if ((planes >> uint(axis) & 1u) == 0u || outside) continue;
+        float gap = SUNDER_DISPLAY_GAP * lattice.cellSize[axis];
+        if (high[axis] == 0u) p[axis] -= gap;
+        if (high[axis] == group) p[axis] += gap;
+    }
+
+    vec3 u = (p - texelFetch(restPositions, 8 * bound).xyz) / lattice.cellSize;
+    vec3 moved = p + displacementAt(bound, u);
+    gl_Position = viewProjection * vec4(moved, 1.0);
+#ifndef DEPTH_ONLY
+    position = moved;
+    place = rest - texelFetch(restPositions, 8 * lattice.firstCell).xyz;
+    inside = (code & SUNDER_DISPLAY_FACE_INNER) != 0u ? 1.0 : 0.0;
+    boundary = (code & SUNDER_DISPLAY_FACE_BOUNDARY) != 0u ? 1.0 : 0.0;
+#endif
+}

@@ -1,0 +1,112 @@
+#include "render/display_pass.hpp"
+
+#include "render/shading.hpp"
+#include "render/uniforms.hpp"
+
+namespace sunder {
+namespace {
+
+constexpr GLuint kRestLocation = 0, kPlaceLocation = 1;
+
+gl::ProgramDescription describe(DisplayPass::Output output) {
+    gl::ProgramDescription description{.vertex = "draw/display.vert"};
+    switch (output) {
+        case DisplayPass::Output::Depth:
+            description.defines = {{"DEPTH_ONLY", "1"}};
+            break;
+        case DisplayPass::Output::Shaded:
+            description.fragment = "draw/display.frag";
+            break;
+        case DisplayPass::Output::Lines:
+            description.defines = {{"DEPTH_ONLY", "1"}};
+            description.fragment = "draw/display_lines.frag";
+            break;
+        case DisplayPass::Output::Veil:
+            description.defines = {{"DEPTH_ONLY", "1"}};
+            description.fragment = "draw/veil.frag";
+            break;
+        case DisplayPass::Output::Transparent:
+            description.defines = {{"TRANSPARENT", "1"}};
+            description.fragment = "draw/display.frag";
+            break;
+        case DisplayPass::Output::Positions:
+            description.feedback = {"position"};
+            break;
+    }
+    return description;
+}
+
+}  // namespace
+
+DisplayBuffers::DisplayBuffers(const DisplayMesh& mesh)
+    : vertices_(mesh.vertices().size()),
+      indices_(mesh.indices().size()),
+      opaqueIndices_(mesh.opaqueIndices()),
+      vertexBuffer_(gl::makeBuffer(std::span(mesh.vertices()), GL_STATIC_DRAW, "display mesh")),
+      indexBuffer_(gl::makeBuffer(std::span(mesh.indices()), GL_STATIC_DRAW, "display mesh")),
+      vertexArray_(gl::makeVertexArray()) {
+    glBindVertexArray(vertexArray_.id());
+    glBindBuffer(GL_ARRAY_BUFFER, vertexBuffer_.id());
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indexBuffer_.id());
+    const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
+    glEnableVertexAttribArray(kRestLocation);
+    glVertexAttribPointer(kRestLocation, 3, GL_FLOAT, GL_FALSE, sizeof(DisplayVertex),
+                          offset(offsetof(DisplayVertex, rest)));
+    glEnableVertexAttribArray(kPlaceLocation);
+    glVertexAttribIPointer(kPlaceLocation, 2, GL_UNSIGNED_INT, sizeof(DisplayVertex),
+                           offset(offsetof(DisplayVertex, cell)));
+    glBindVertexArray(0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+void DisplayBuffers::draw(Part part) const {
+    const std::size_t first = part == Part::Opaque ? 0 : opaqueIndices_;
+    glBindVertexArray(vertexArray_.id());
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(count(part)), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+}
+
+void DisplayBuffers::drawVertices() const {
+    glBindVertexArray(vertexArray_.id());
+    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(vertices_));
+}
+
+DisplayPass::DisplayPass(Output output, const gpu::WorldBuffers& buffers,
+                         const DisplayBuffers& mesh)
+    : buffers_(buffers), mesh_(mesh), program_(describe(output)) {
+    program_.bindSampler("cells", kCellUnit);
+    program_.bindSampler("bodies", kBodyUnit);
+    program_.bindSampler("damage", kBondUnit);
+    program_.bindSampler("displacements", kNodeUnit);
+    program_.bindSampler("restPositions", kRestUnit);
+    Shading::prepare(program_);
+}
+
+const gl::Program& DisplayPass::begin() const {
+    program_.use();
+    return program_;
+}
+
+void DisplayPass::draw(const gpu::StateView& state, const glm::mat4& viewProjection,
+                       DisplayBuffers::Part part) const {
+    setUniform(program_, "viewProjection", viewProjection);
+    bind(state);
+    mesh_.draw(part);
+}
+
+void DisplayPass::drawVertices(const gpu::StateView& state) const {
+    bind(state);
+    mesh_.drawVertices();
+}
+
+void DisplayPass::bind(const gpu::StateView& state) const {
+    gl::bindTexture(kCellUnit, GL_TEXTURE_BUFFER, buffers_.cells());
+    gl::bindTexture(kBodyUnit, GL_TEXTURE_BUFFER, buffers_.bodies());
+    gl::bindTexture(kBondUnit, GL_TEXTURE_BUFFER, *state.damage);
+    glUniform1i(program_.uniform("damageStride"), state.damageStride);
+    gl::bindTexture(kNodeUnit, GL_TEXTURE_BUFFER, *state.displacements);
+    glUniform2i(program_.uniform("displacementStrides"), state.cellStride, state.cornerStride);
+    gl::bindTexture(kRestUnit, GL_TEXTURE_BUFFER, buffers_.rest());
+}
+
+}  // namespace sunder

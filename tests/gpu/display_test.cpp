@@ -1,0 +1,246 @@
+// The mesh that is seen, as the GPU moves and draws it.
+#include <Eigen/Geometry>
+#include <cmath>
+#include <set>
+
+#include "catch.hpp"
+#include "core/display_mesh.hpp"
+#include "cpu/cpu_solver.hpp"
+#include "gl/program.hpp"
+#include "gpu/pictures.hpp"
+#include "gpu/test_context.hpp"
+#include "render/display_pass.hpp"
+#include "scene/scene.hpp"
+#include "support/worlds.hpp"
+
+using namespace sunder;
+
+namespace {
+
+/// A wall of a preset's material, hit in the middle.
+WorldDescription presetWall(const std::string& material, double speed) {
+    WorldDescription description;
+    description.materials = {loadMaterial(material)};
+    BodyDescription wall;
+    wall.name = "wall";
+    wall.size = {1.6, 1.2, 0.1};
+    wall.cells = {16, 12, 1};
+    wall.anchors = {Side::Bottom, Side::Left};
+    description.bodies = {wall};
+    EventDescription event = hit(0, {0.1, 0.6, 0.05}, {0, 0, -speed});
+    description.events = {event};
+    description.contact = true;
+    description.ground = false;
+    return description;
+}
+
+State afterFrames(const World& world, int frames) {
+    CpuSolver solver(world, 2);
+    solver.advance(50 * frames);
+    return solver.state();
+}
+
+/// Bent as a sheet is, by up to `far` m.
+State bent(const World& world, double far) {
+    State state = world.initialState();
+    for (int node = 0; node < world.nodeCount(); ++node) {
+        const Vec3 x = world.restPosition(node);
+        state.displacement[node] = {0.1 * far * std::sin(4 * x[1]), 0.05 * far * x[0],
+                                    far * std::sin(2.5 * x[0]) * std::cos(1.5 * x[1])};
+    }
+    return state;
+}
+
+/// World positions of all vertices, by the shader that draws them; hidden ones are at (0, 0, 0).
+std::vector<glm::vec3> movedVertices(const World& world, const State& state,
+                                     const DisplayMesh& mesh) {
+    testContext();
+    const gpu::WorldBuffers buffers(world);
+    gpu::StateUpload upload(world);
+    const gpu::StateView view = upload.upload(state);
+    const DisplayBuffers meshBuffers(mesh);
+    const gl::Buffer captured(sizeof(glm::vec3) * mesh.vertices().size(), nullptr, GL_STATIC_READ,
+                              "positions");
+    const DisplayPass pass(DisplayPass::Output::Positions, buffers, meshBuffers);
+    pass.begin();
+    glEnable(GL_RASTERIZER_DISCARD);
+    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, captured.id());
+    glBeginTransformFeedback(GL_POINTS);
+    pass.drawVertices(view);
+    glEndTransformFeedback();
+    glDisable(GL_RASTERIZER_DISCARD);
+    std::vector<glm::vec3> result(mesh.vertices().size());
+    captured.read(0, captured.size(), result.data());
+    CHECK(testContext().takeErrors().empty());
+    return result;
+}
+
+Image cutOut(const World& world, const State& state, const CameraDescription& camera,
+             const glm::vec3& background, DrawnMesh mesh) {
+    gl::Context& context = testContext();
+    const gpu::WorldBuffers buffers(world);
+    gpu::StateUpload upload(world);
+    Renderer renderer(world, buffers);
+    RenderSettings settings;
+    settings.width = kWidth;
+    settings.height = kHeight;
+    settings.mesh = mesh;
+    settings.background = background;
+    Image image = renderer.draw(upload.upload(state), camera, settings);
+    CHECK(context.takeErrors().empty());
+    return image;
+}
+
+/// Per pixel: whether anything of the background shows in any sample. Two backgrounds tell, however
+/// the wall is coloured.
+std::vector<bool> backgroundShows(const World& world, const State& state,
+                                  const CameraDescription& camera, DrawnMesh mesh) {
+    const Image a = cutOut(world, state, camera, {1, 0, 1}, mesh);
+    const Image b = cutOut(world, state, camera, {0, 1, 0}, mesh);
+    std::vector<bool> shows;
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) shows.push_back(difference(a, b, x, y) > 0);
+    return shows;
+}
+
+/// Pixels through which the display mesh shows the background well inside of the simulation mesh's
+/// outline: none of the pixels around them shows it there.
+int holes(const World& world, const State& state, const CameraDescription& camera, int& inside) {
+    const std::vector<bool> simulation =
+        backgroundShows(world, state, camera, DrawnMesh::Simulation);
+    const std::vector<bool> display = backgroundShows(world, state, camera, DrawnMesh::Display);
+    int count = 0;
+    inside = 0;
+    for (int y = 2; y < kHeight - 2; ++y)
+        for (int x = 2; x < kWidth - 2; ++x) {
+            bool covered = true;
+            for (int dy = -2; dy <= 2; ++dy)
+                for (int dx = -2; dx <= 2; ++dx)
+                    covered = covered && !simulation[(y + dy) * kWidth + x + dx];
+            inside += covered;
+            count += covered && display[y * kWidth + x];
+        }
+    return count;
+}
+
+const char* const kMaterials[] = {"wood",   "planks",      "concrete",     "brick",
+                                  "rubber", "wood-thesis", "rubber-thesis"};
+
+}  // namespace
+
+TEST_CASE("displayed positions are those of the barycentric coordinates, on a bent and broken wall",
+          "[display]") {
+    for (const char* material : {"wood", "concrete", "brick"}) {
+        CAPTURE(material);
+        const World world(presetWall(material, 40));
+        const DisplayMesh mesh(world);
+        State state = afterFrames(world, 12);
+        const State bend = bent(world, 0.2);
+        for (int node = 0; node < world.nodeCount(); ++node)
+            state.displacement[node] += bend.displacement[node];
+        state = roundedToSingle(state);
+        REQUIRE(std::count_if(state.damage.begin(), state.damage.end(),
+                              [](double d) { return d >= 1 && d < kNoBond; }) > 50);
+
+        const std::vector<glm::vec3> moved = movedVertices(world, state, mesh);
+        double most = 0;
+        int seen = 0;
+        for (std::size_t i = 0; i < moved.size(); ++i) {
+            const DisplayVertex& vertex = mesh.vertices()[i];
+            const Vec3 onGpu(moved[i].x, moved[i].y, moved[i].z);
+            if (displayHidden(world, state, vertex)) {
+                REQUIRE(onGpu == Vec3(0, 0, 0));
+                continue;
+            }
+            ++seen;
+            most = std::max(most, (onGpu - displayedPosition(world, state, vertex)).norm());
+        }
+        CHECK(seen > static_cast<int>(moved.size()) / 4);
+        CHECK(most < 1e-5);
+    }
+}
+
+TEST_CASE("no background shows through an intact wall, straight or bent, from any side",
+          "[display]") {
+    for (const char* material : kMaterials) {
+        const World world(presetWall(material, 0));
+        for (const double far : {0.0, 0.3}) {
+            const State state = bent(world, far);
+            for (const Vec3& eye : {Vec3(0, 0.6, 2.1), Vec3(1.7, 1.5, 1.2), Vec3(-1.2, 0.3, -1.6),
+                                    Vec3(0.3, 2.6, 0.9)}) {
+                CAPTURE(material, far, eye.transpose());
+                CameraDescription camera;
+                camera.position = eye;
+                camera.target = {0, 0.6, 0};
+                int inside = 0;
+                CHECK(holes(world, state, camera, inside) == 0);
+                CHECK(inside > kWidth * kHeight / 25);
+            }
+        }
+    }
+}
+
+TEST_CASE("a broken wall of every material covers what it should, in more than one colour",
+          "[display]") {
+    for (const char* material : kMaterials) {
+        CAPTURE(material);
+        const World world(presetWall(material, 40));
+        CameraDescription camera;
+        camera.position = {0, 0.6, 2.4};
+        camera.target = {0, 0.6, 0};
+        const State rest = world.initialState();
+        const State broken = afterFrames(world, 15);
+        int shown[2], colours[2];
+        int i = 0;
+        for (const State* state : {&rest, &broken}) {
+            const std::vector<bool> shows =
+                backgroundShows(world, *state, camera, DrawnMesh::Display);
+            const Image image = cutOut(world, *state, camera, {1, 0, 1}, DrawnMesh::Display);
+            std::set<int> seen;
+            shown[i] = 0;
+            for (int y = 0; y < kHeight; ++y)
+                for (int x = 0; x < kWidth; ++x) {
+                    if (shows[y * kWidth + x]) continue;
+                    ++shown[i];
+                    seen.insert(brightness(image, x, y) / 6);
+                }
+            colours[i] = static_cast<int>(seen.size());
+            ++i;
+        }
+        // The wall's front, by its corners.
+        const glm::vec2 low = project(world, camera, {-0.8f, 1.2f, 0.05f});
+        const glm::vec2 high = project(world, camera, {0.8f, 0, 0.05f});
+        const double front = (high.x - low.x) * (high.y - low.y);
+        CHECK(shown[0] == Approx(front).epsilon(0.03));
+        CHECK(colours[0] >= 2);
+        const bool breaks = std::any_of(broken.damage.begin(), broken.damage.end(),
+                                        [](double d) { return d >= 1 && d < kNoBond; });
+        CHECK(breaks == (std::string(material) != "rubber-thesis"));
+        CHECK(shown[1] > 0.3 * front);
+        if (breaks && std::string(material) != "rubber") CHECK(shown[1] < 0.98 * shown[0]);
+        CHECK(colours[1] >= 4);
+    }
+}
+
+TEST_CASE("a crack shows before it opens, and only along the broken bonds", "[display]") {
+    const World world(presetWall("concrete", 0));
+    const Body& wall = world.bodies()[0];
+    State state = world.initialState();
+    for (int row = 3; row < 9; ++row) breakBond(state, wall.cellAt({7, row, 0}), 0);
+    CameraDescription camera;
+    camera.position = {0, 0.6, 1.2};
+    camera.target = {0, 0.6, 0};
+    const Image intact = cutOut(world, world.initialState(), camera, {1, 0, 1}, DrawnMesh::Display);
+    const Image cracked = cutOut(world, state, camera, {1, 0, 1}, DrawnMesh::Display);
+    const glm::vec2 top = project(world, camera, {0, 0.9f, 0.05f});
+    const glm::vec2 bottom = project(world, camera, {0, 0.3f, 0.05f});
+    // Edge points and corners lie within half a cell of where the bonds are: 12 pixels.
+    const float halfCell = 0.5f * (project(world, camera, {0.1f, 0.6f, 0.05f}).x - top.x);
+    const auto near = [&](float x, float y) {
+        return std::abs(x - top.x) < halfCell + 2 && y > top.y - halfCell - 2 &&
+               y < bottom.y + halfCell + 2;
+    };
+    const auto far = [&](float x, float y) { return !near(x, y); };
+    CHECK(differing(intact, cracked, 6, near) > static_cast<int>(0.5f * (bottom.y - top.y)));
+    CHECK(differing(intact, cracked, 6, far) == 0);
+}

@@ -1,0 +1,448 @@
+// The mesh that is seen: closed sections that interlock, whatever the parameters.
+#include "core/display_mesh.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "catch.hpp"
+#include "core/links.hpp"
+#include "core/strength_map.hpp"
+#include "support/worlds.hpp"
+
+using namespace sunder;
+
+namespace {
+
+using Point = std::array<float, 3>;
+using Corners = std::array<Vec3, 3>;
+
+Point point(const DisplayVertex& v) {
+    return {v.rest[0], v.rest[1], v.rest[2]};
+}
+
+std::vector<DisplayVertex> verticesOf(const World& world) {
+    return DisplayMesh(world).vertices();
+}
+
+/// Triangles by the cell whose section they belong to, and by its face.
+struct Sections {
+    std::map<int, std::array<std::vector<std::array<Point, 3>>, 6>> faces;
+
+    explicit Sections(const DisplayMesh& mesh) {
+        for (std::size_t i = 0; i < mesh.indices().size(); i += 3) {
+            const DisplayVertex& first = mesh.vertices()[mesh.indices()[i]];
+            auto& face =
+                faces[static_cast<int>(first.cell)][first.code >> SUNDER_DISPLAY_FACE_BIT & 7];
+            auto& triangle = face.emplace_back();
+            for (int k = 0; k < 3; ++k) triangle[k] = point(mesh.vertices()[mesh.indices()[i + k]]);
+        }
+    }
+};
+
+Corners corners(const std::array<Point, 3>& triangle) {
+    Corners result;
+    for (int k = 0; k < 3; ++k)
+        result[k] = Eigen::Map<const Eigen::Vector3f>(triangle[k].data()).cast<double>();
+    return result;
+}
+
+template <class Section>
+double volume(const Section& section) {
+    double sum = 0;
+    for (const auto& face : section)
+        for (const auto& triangle : face) {
+            const Corners c = corners(triangle);
+            sum += c[0].dot(c[1].cross(c[2])) / 6;
+        }
+    return sum;
+}
+
+/// How often a closed surface goes round a point: 1 inside, 0 outside, anything else where it folds
+/// over itself (van Oosterom and Strackee 1983: the solid angle of a triangle).
+template <class Section>
+double windingNumber(const Section& section, const Vec3& p) {
+    double sum = 0;
+    for (const auto& face : section)
+        for (const auto& triangle : face) {
+            Corners c = corners(triangle);
+            for (Vec3& corner : c) corner = (corner - p).normalized();
+            const double upper = c[0].dot(c[1].cross(c[2]));
+            const double lower = 1 + c[0].dot(c[1]) + c[1].dot(c[2]) + c[2].dot(c[0]);
+            sum += 2 * std::atan2(upper, lower);
+        }
+    return sum / (4 * std::numbers::pi);
+}
+
+/// Each edge is there as often one way as the other, so the surface is closed.
+template <class Section>
+bool closed(const Section& section) {
+    std::map<std::pair<Point, Point>, int> edges;
+    for (const auto& face : section)
+        for (const auto& triangle : face)
+            for (int k = 0; k < 3; ++k) {
+                const Point &a = triangle[k], &b = triangle[(k + 1) % 3];
+                if (a == b) return false;
+                if (a < b)
+                    ++edges[{a, b}];
+                else
+                    --edges[{b, a}];
+            }
+    return std::all_of(edges.begin(), edges.end(), [](const auto& e) { return e.second == 0; });
+}
+
+/// The same triangles, turned round, whichever corner they start with.
+std::multiset<std::array<Point, 3>> turned(const std::vector<std::array<Point, 3>>& face,
+                                           bool reverse) {
+    std::multiset<std::array<Point, 3>> result;
+    for (auto triangle : face) {
+        if (reverse) std::swap(triangle[1], triangle[2]);
+        std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()),
+                    triangle.end());
+        result.insert(triangle);
+    }
+    return result;
+}
+
+/// From 0 to 1, and often one of the ends.
+double extreme(Random& random) {
+    const double x = random();
+    return x < -0.6 ? 0 : x > 0.6 ? 1 : 0.5 + x / 1.2;
+}
+
+/// A small wall whose material has the wildest numbers that a file may hold, of every kind of
+/// cluster, with or without a hole.
+WorldDescription wildWall(int seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    Material m;
+    const Vec3 cell(0.1 + 0.2 * extreme(random), 0.1 + 0.7 * extreme(random),
+                    0.03 + 0.27 * extreme(random));
+    m.avgDisplaySectionWidth = cell[0] * (0.5 + extreme(random));
+    m.avgDisplaySectionHeight = cell[1] * (0.5 + extreme(random));
+    m.randDisplaySectionWidth = m.avgDisplaySectionWidth * extreme(random);
+    m.randDisplaySectionHeight = m.avgDisplaySectionHeight * extreme(random);
+    // Mostly small ones: twenty points on every edge of every cell take their time.
+    const auto frequency = [&] {
+        const double x = extreme(random);
+        return seed % 20 == 0 ? 20.0 : std::floor(4 * x);
+    };
+    m.horizEdgeFrequency = frequency();
+    m.vertEdgeFrequency = frequency();
+    m.horizEdgeAmplitude = 0.5 * m.avgDisplaySectionHeight * extreme(random);
+    m.vertEdgeAmplitude = 0.5 * m.avgDisplaySectionWidth * extreme(random);
+    m.clusters = static_cast<ClusterKind>(seed % 4);
+    m.clusterSize = {2.3 * cell[0], 1.7 * cell[1], seed % 3 == 0 ? 0 : cell[2]};
+    m.jointWidth = 0.02 * extreme(random);
+
+    WorldDescription description;
+    description.materials = {m};
+    BodyDescription body;
+    body.name = "wall";
+    body.cells = {4, 3, 1 + seed % 2};
+    body.size = cell.cwiseProduct(body.cells.cast<double>());
+    body.position = {3 * random(), 0.5 + 0.5 * random(), 3 * random()};
+    if (seed % 5 == 0) body.regions = {{{1, 1, 0}, {2, 1, 0}, -1}};
+    description.bodies = {body};
+    description.seed = static_cast<std::uint64_t>(seed);
+    return description;
+}
+
+}  // namespace
+
+TEST_CASE("sections are closed, interlock and fill the wall, for 200 seeds and wild parameters",
+          "[display]") {
+    for (int seed = 0; seed < 200; ++seed) {
+        CAPTURE(seed);
+        const World world(wildWall(seed));
+        const Body& body = world.bodies()[0];
+        const Sections sections{DisplayMesh(world)};
+        REQUIRE(static_cast<int>(sections.faces.size()) == world.presentCells());
+
+        double sum = 0;
+        for (const auto& [cell, section] : sections.faces) {
+            CAPTURE(cell);
+            REQUIRE(closed(section));
+            const double own = volume(section);
+            REQUIRE(own > 0);
+            sum += own;
+            for (int axis = 0; axis < 3; ++axis) {
+                const int next = world.neighbour(cell, axis, +1);
+                if (next < 0) continue;
+                REQUIRE(turned(section[2 * axis + 1], false) ==
+                        turned(sections.faces.at(next)[2 * axis], true));
+            }
+        }
+        // 1e-5: vertices are single-precision numbers, some metres from the origin.
+        const double expected = body.cellSize.prod() * world.presentCells();
+        REQUIRE(sum == Approx(expected).epsilon(1e-5));
+
+        // Every point of the wall is in exactly one section, once.
+        Random random(1000 + static_cast<std::uint64_t>(seed));
+        for (int i = 0; i < 4; ++i) {
+            const Vec3 u = 0.5 * (random.vector() + Vec3(1, 1, 1));
+            const Vec3 size = body.cellSize.cwiseProduct(body.cells.cast<double>());
+            const Vec3 p = body.origin + u.cwiseProduct(size);
+            const IVec3 c = u.cwiseProduct(body.cells.cast<double>()).cast<int>();
+            if (!world.present(body.cellAt(c))) continue;
+            std::vector<double> windings;
+            for (const auto& [cell, section] : sections.faces)
+                windings.push_back(windingNumber(section, p));
+            std::sort(windings.begin(), windings.end());
+            CAPTURE(p.transpose());
+            // 1e-6: rounding. A point that lies on a face by chance would be off by one half.
+            REQUIRE(windings.back() == Approx(1).margin(1e-6));
+            REQUIRE(windings.front() == Approx(0).margin(1e-6));
+            if (windings.size() > 1) REQUIRE(windings[windings.size() - 2] < 1e-6);
+        }
+    }
+}
+
+TEST_CASE("the outside of a wall stays flat and its edges straight", "[display]") {
+    for (int seed = 0; seed < 20; ++seed) {
+        CAPTURE(seed);
+        const World world(wildWall(seed));
+        const Body& body = world.bodies()[0];
+        int outside = 0;
+        for (const DisplayVertex& v : verticesOf(world)) {
+            if (v.code & SUNDER_DISPLAY_FACE_INNER) continue;
+            ++outside;
+            const int face = static_cast<int>(v.code >> SUNDER_DISPLAY_FACE_BIT & 7),
+                      axis = face / 2;
+            const IVec3 c = body.coordinates(static_cast<int>(v.cell));
+            const double plane = body.origin[axis] + (c[axis] + face % 2) * body.cellSize[axis];
+            REQUIRE(v.rest[axis] == static_cast<float>(plane));
+        }
+        CHECK(outside > 0);
+    }
+}
+
+TEST_CASE("a seed makes the same sections again, another makes others", "[display]") {
+    WorldDescription description = wildWall(7);
+    const auto make = [&](std::uint64_t seed) {
+        description.seed = seed;
+        std::vector<Point> points;
+        for (const DisplayVertex& v : verticesOf(World(description))) points.push_back(point(v));
+        return points;
+    };
+    const std::vector<Point> first = make(1), again = make(1), other = make(2);
+    CHECK(first == again);
+    REQUIRE(first.size() == other.size());
+    CHECK(first != other);
+}
+
+TEST_CASE("without edge points and random sizes sections are the cells", "[display]") {
+    const World world(block({4, 3, 1}, softElastic()));
+    const DisplayMesh mesh(world);
+    // Six faces of four corners, as on the thesis's rubber.
+    CHECK(mesh.vertices().size() == std::size_t{24} * world.cellCount());
+    CHECK(mesh.indices().size() == std::size_t{36} * world.cellCount());
+    std::set<Point> points;
+    for (const DisplayVertex& v : mesh.vertices()) points.insert(point(v));
+    std::set<Point> corners;
+    for (int node = 0; node < world.nodeCount(); ++node) {
+        const Eigen::Vector3f x = world.restPosition(node).cast<float>();
+        corners.insert({x[0], x[1], x[2]});
+    }
+    CHECK(points == corners);
+}
+
+TEST_CASE("the thesis's edge points: as many as the frequency, as far as the amplitude",
+          "[display]") {
+    Material m = softElastic();
+    m.avgDisplaySectionWidth = m.avgDisplaySectionHeight = 0.1;  // the size of the cells
+    m.horizEdgeFrequency = 3;
+    m.horizEdgeAmplitude = 0.02;
+    const World world(block({3, 2, 1}, m));
+    const Body& body = world.bodies()[0];
+    const DisplayLattice lattice(world, 0, 100);
+    CHECK(lattice.segments()[0] == 4);
+    CHECK(lattice.segments()[1] == 1);
+    // Along the edge between the two rows, at the front.
+    double most = 0;
+    for (int i = 0; i < lattice.size()[0]; ++i) {
+        const double y = lattice.position({i, 1, lattice.size()[2] - 1})[1] - body.cellSize[1];
+        CAPTURE(i, y);
+        CHECK(std::abs(y) <= 0.02);
+        const bool corner = i % 4 == 0;
+        CHECK((std::abs(y) > 0.2 * 0.02) == !corner);
+        most = std::max(most, std::abs(y));
+    }
+    CHECK(most > 0.014);
+}
+
+TEST_CASE("edges differ from front to back: splinters, not a sawn profile", "[display]") {
+    Material m = softElastic();
+    m.horizEdgeFrequency = m.vertEdgeFrequency = 2;
+    m.horizEdgeAmplitude = m.vertEdgeAmplitude = 0.02;
+    m.avgDisplaySectionWidth = m.avgDisplaySectionHeight = 0.1;
+    const World world(block({3, 3, 1}, m));
+    const DisplayLattice lattice(world, 0, 100);
+    REQUIRE(lattice.segments()[2] >= 2);
+    int differing = 0, points = 0;
+    for (int i = 0; i < lattice.size()[0]; ++i) {
+        if (i % lattice.segments()[0] == 0) continue;
+        const int row = lattice.segments()[1], back = lattice.size()[2] - 1;
+        ++points;
+        differing += std::abs(lattice.position({i, row, 0})[1] -
+                              lattice.position({i, row, back})[1]) > 0.002;
+    }
+    CHECK(points == 6);
+    CHECK(differing >= 4);
+}
+
+TEST_CASE("broken edges of bricks stay in the mortar", "[display]") {
+    Material m = softElastic();
+    m.clusters = ClusterKind::RunningBond;
+    m.clusterSize = {0.44, 0.21, 0};  // not a whole number of cells: corners have to move
+    m.jointWidth = 0.012;
+    m.horizEdgeFrequency = m.vertEdgeFrequency = 2;
+    m.horizEdgeAmplitude = m.vertEdgeAmplitude = 0.05;
+    m.avgDisplaySectionWidth = m.avgDisplaySectionHeight = 0.1;
+    m.randDisplaySectionWidth = m.randDisplaySectionHeight = 0.05;
+    const World world(block({20, 8, 1}, m));
+    const Body& body = world.bodies()[0];
+    const DisplayLattice lattice(world, 0, 100);
+    int bed = 0, head = 0, inside = 0;
+    for (const DisplayVertex& v : verticesOf(world)) {
+        if (!(v.code & SUNDER_DISPLAY_FACE_INNER)) continue;
+        const Vec3 p = v.rest.cast<double>() - body.origin;
+        const int axis = static_cast<int>(v.code >> SUNDER_DISPLAY_FACE_BIT & 7) / 2;
+        if (!(v.code & SUNDER_DISPLAY_FACE_BOUNDARY)) {
+            ++inside;
+            continue;
+        }
+        const double row = p[1] / 0.21;
+        if (axis == 1) {
+            ++bed;
+            CHECK(std::abs(row - std::round(row)) * 0.21 <= 0.0061);
+        } else if (std::abs(row - std::round(row)) * 0.21 > 0.011) {
+            // Well inside a row, so that it is known which.
+            ++head;
+            const double brick = p[0] / 0.44 + (static_cast<int>(row) & 1 ? 0.5 : 0);
+            CHECK(std::abs(brick - std::round(brick)) * 0.44 <= 0.0061);
+        }
+    }
+    CHECK(bed > 100);
+    CHECK(head > 30);
+    CHECK(inside > 500);
+}
+
+TEST_CASE("chunks have the outline of their Voronoi cells, not the stairs of the lattice",
+          "[display]") {
+    Material m = softElastic();
+    m.clusters = ClusterKind::Voronoi;
+    m.clusterSize = {0.4, 0.4, 0};
+    const World world(block({30, 20, 1}, m));
+    const Body& body = world.bodies()[0];
+    const std::uint64_t seed = world.bodySeed(0);
+    int on = 0, all = 0;
+    for (const DisplayVertex& v : verticesOf(world)) {
+        if (!(v.code & SUNDER_DISPLAY_FACE_BOUNDARY)) continue;
+        const Vec3 p = v.rest.cast<double>() - body.origin;
+        // On the rim of the wall points only move along it.
+        if (p[0] < 1e-6 || p[0] > 3 - 1e-6 || p[1] < 1e-6 || p[1] > 2 - 1e-6) continue;
+        ++all;
+        std::set<std::uint64_t> around;
+        for (int i = 0; i < 16; ++i) {
+            const double angle = i * std::numbers::pi / 8;
+            around.insert(
+                clusterOf(m, p + 0.006 * Vec3(std::cos(angle), std::sin(angle), 0), seed));
+        }
+        on += around.size() >= 2;
+    }
+    REQUIRE(all > 1000);
+    // Those whose boundary is further off than a corner may move are left out.
+    CHECK(on > 0.9 * all);
+}
+
+namespace {
+
+/// A wall with wild sections, bent and stretched; and some of its bonds broken.
+struct BentWall {
+    World world;
+    State state;
+    explicit BentWall(int seed) : world(wildWall(seed)), state(world.initialState()) {
+        for (int node = 0; node < world.nodeCount(); ++node) {
+            const Vec3 x = world.restPosition(node);
+            state.displacement[node] = {0.05 * std::sin(3 * x[1]), 0.1 * x[0] * x[1],
+                                        0.2 * std::sin(2 * x[0])};
+        }
+    }
+};
+
+}  // namespace
+
+TEST_CASE("an intact wall has no seams when it bends", "[display]") {
+    for (const int seed : {1, 2, 3, 5, 6, 7}) {
+        CAPTURE(seed);
+        const BentWall wall(seed);
+        std::map<Point, Vec3> places;
+        for (const DisplayVertex& v : verticesOf(wall.world)) {
+            const Vec3 place = displayedPosition(wall.world, wall.state, v);
+            const auto [known, isNew] = places.emplace(point(v), place);
+            if (!isNew) REQUIRE(known->second == place);  // to the bit
+        }
+    }
+}
+
+TEST_CASE("sections that still hang together around a point share it; others leave it",
+          "[display]") {
+    Random random(11);
+    for (const int seed : {1, 2, 5, 7}) {
+        CAPTURE(seed);
+        BentWall wall(seed);
+        const World& world = wall.world;
+        for (double& damage : wall.state.damage)
+            if (damage < 1 && random() > 0) damage = 1;
+        std::map<std::pair<Point, int>, Vec3> places;
+        for (const DisplayVertex& v : verticesOf(world))
+            places[{point(v), static_cast<int>(v.cell)}] = displayedPosition(world, wall.state, v);
+        int joined = 0, apart = 0;
+        for (const auto& [key, place] : places) {
+            const auto& [p, cell] = key;
+            for (int axis = 0; axis < 3; ++axis) {
+                const int next = world.neighbour(cell, axis, +1);
+                const auto other = places.find({p, next});
+                if (next < 0 || other == places.end()) continue;
+                if (wall.state.damage[kBondsPerCell * cell + axis] < 1) {
+                    ++joined;
+                    REQUIRE(other->second == place);
+                } else {
+                    apart += other->second != place;
+                }
+            }
+        }
+        CHECK(joined > 20);
+        CHECK(apart > 20);
+    }
+}
+
+TEST_CASE("a section that has come loose moves as one body, whole", "[display]") {
+    for (const int seed : {1, 2, 7}) {
+        CAPTURE(seed);
+        const World world(wildWall(seed));
+        State state = world.initialState();
+        const int cell = world.bodies()[0].cellAt({1, 1, 0});
+        detach(world, state, cell);
+        const DisplayMesh mesh(world);
+        const State before = state;
+        const Mat3 turn = Eigen::AngleAxisd(1.1, Vec3(1, 2, -1).normalized()).toRotationMatrix();
+        const Vec3 by(0.3, -0.2, 0.7);
+        for (int corner = 0; corner < kCorners; ++corner) {
+            const int node = kCorners * cell + corner;
+            const Vec3 x = world.restPosition(node);
+            state.displacement[node] = turn * x + by - x;
+        }
+        for (const DisplayVertex& v : mesh.vertices()) {
+            const Vec3 then = displayedPosition(world, before, v);
+            const Vec3 now = displayedPosition(world, state, v);
+            if (static_cast<int>(v.cell) == cell)
+                // Rest positions of nodes are rounded to single precision.
+                REQUIRE((now - (turn * then + by)).norm() < 1e-6);
+            else
+                REQUIRE(now == then);
+        }
+    }
+}
