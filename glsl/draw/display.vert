@@ -69,11 +69,11 @@ vec3 displacementAt(int c, vec3 u) {
     vec3 steps = vec3(0.0);
     float nearest = 1e30;
     for (int i = 0; i < 4; ++i) {
-        int corner = i == 0 ? 0 : 7 - (1 << (i - 1));  // 0, 6, 5, 3
-        if (odd == 0u) corner ^= 7;                    // 7, 1, 2, 4
+        int corner = i == 0 ? 0 : 7 - (8 >> i);  // 0, 3, 5, 6
+        if (odd == 0u) corner ^= 7;              // 7, 4, 2, 1
         vec3 s = mix(u, 1.0 - u, bvec3((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0));
         float far = s.x + s.y + s.z;
-        if (far >= nearest) continue;
+        if (far > nearest - 1e-4) continue;  // of two equally near ones the first, lest rounding decide
         nearest = far;
         apex = corner;
         steps = s;
@@ -84,7 +84,7 @@ vec3 displacementAt(int c, vec3 u) {
     // The central tetrahedron has the other corners.
     vec3 sum = vec3(0.0);
     for (int i = 0; i < 4; ++i) {
-        int corner = i == 0 ? 0 : 7 - (1 << (i - 1));
+        int corner = i == 0 ? 0 : 7 - (8 >> i);
         if (odd == 1u) corner ^= 7;
         vec3 s = mix(u, 1.0 - u, bvec3((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0));
         sum += (1.0 - 0.5 * (s.x + s.y + s.z)) * displacementOf(c, corner);

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "app/bench_contest.hpp"
+#include "app/bench_drawing.hpp"
 #include "app/bench_report.hpp"
 #include "app/bench_scenes.hpp"
 #include "app/bench_table.hpp"
@@ -129,6 +130,7 @@ class Bench {
             contest.measureDrawn(results);
             if (part == "frames" && !options_.scene.empty()) contest.measureBreaking(results);
             keep(results);
+            if (part == "frames") measurePictures(contest, what);
             return results;
         };
         const Results whole = measure("frames", scene);
@@ -145,7 +147,19 @@ class Bench {
                          "X2).\n";
         else
             std::cout << '\n' << breakingText(whole) << '\n' << memoryText(whole);
+        if (!report_.drawn.empty())
+            std::cout << "\nDrawn in 1280x720 with shadows and four samples, not read back.\n"
+                      << drawingText(report_.drawn, *report_.msDisplayMeshBuild, whole);
         std::cout << std::endl;
+    }
+
+    /// What drawing costs beside simulating.
+    void measurePictures(Contest& contest, const Scene& scene) {
+        if (!context_) return;
+        const World& world = contest.world();
+        report_.drawn = {measureDrawing(scene, world, world.initialState(), "intact", limits_),
+                         measureDrawing(scene, world, contest.stateAfter(30), "broken", limits_)};
+        report_.msDisplayMeshBuild = measureDisplayMeshBuild(limits_);
     }
 
     void measureScaling() {

@@ -73,7 +73,7 @@ std::string machineLine(const BenchReport& report) {
 
 std::string benchJson(const BenchReport& report) {
     ordered_json results = ordered_json::array(), skipped = ordered_json::array(),
-                 passes = ordered_json::array();
+                 passes = ordered_json::array(), drawn = ordered_json::array();
     for (const BenchResult& result : report.results) {
         if (result.skipped.empty())
             results.push_back(toJson(result));
@@ -92,13 +92,24 @@ std::string benchJson(const BenchReport& report) {
                           {"pass", pass.pass},
                           {"ms", pass.milliseconds},
                           {"runs_per_frame", pass.runsPerFrame}});
+    for (const DrawingResult& result : report.drawn)
+        drawn.push_back({{"scene", result.scene},
+                         {"state", result.state},
+                         {"bodies", result.bodies},
+                         {"cells", result.cells},
+                         {"vertices", result.vertices},
+                         {"triangles", result.triangles},
+                         {"ms_display", result.msDisplay},
+                         {"ms_simulation", result.msSimulation}});
     const ordered_json json = {{"machine", report.processor},
                                {"cores", report.cores},
                                {"gl_renderer", report.renderer},
                                {"gl_version", report.glVersion},
                                {"results", results},
                                {"skipped", skipped},
-                               {"passes", passes}};
+                               {"passes", passes},
+                               {"drawn", drawn},
+                               {"ms_display_mesh_build", orNull(report.msDisplayMeshBuild)}};
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

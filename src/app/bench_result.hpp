@@ -47,12 +47,23 @@ struct PassResult {
     double runsPerFrame = 0;
 };
 
+/// What pictures of one state of a scene cost: medians, in 1280 x 720, with shadows and four
+/// samples, not read back.
+struct DrawingResult {
+    std::string scene, state;  ///< state: "intact", "broken"
+    int bodies = 0, cells = 0;
+    std::size_t vertices = 0, triangles = 0;  ///< of the display mesh
+    double msDisplay = 0, msSimulation = 0;   ///< per picture of either mesh
+};
+
 struct BenchReport {
     std::string processor;
     int cores = 1;
     std::string renderer, glVersion;  ///< empty without a context
     std::vector<BenchResult> results;
     std::vector<PassResult> passes;
+    std::vector<DrawingResult> drawn;
+    std::optional<double> msDisplayMeshBuild;  ///< of a wooden wall of 2,000 cells
 };
 
 }  // namespace sunder::app

@@ -150,17 +150,18 @@ struct Binding {
 
 /// The tetrahedron of a cell that a point lies in, or nearest to. `u`: in the cell, 0 to 1.
 Binding bind(const Vec3& u, int parity) {
-    // Three corners of a corner tetrahedron are a step along each axis from its apex.
+    // Three corners of a corner tetrahedron are a step along each axis from its apex. Of two that
+    // are equally near the first one counts, in this order, lest rounding decide.
+    constexpr double kNearer = 1e-4;
     int apex = 0;
     double nearest = 1e300;
-    for (int t = 0; t < 4; ++t) {
-        const int corner = kTetrahedra[parity][t][0];
+    for (int i = 0; i < 4; ++i) {
+        const int corner = (i == 0 ? 0 : 7 - (8 >> i)) ^ (parity == 0 ? 7 : 0);
         double distance = 0;
         for (int axis = 0; axis < 3; ++axis) distance += corner >> axis & 1 ? 1 - u[axis] : u[axis];
-        if (distance < nearest) {
-            nearest = distance;
-            apex = corner;
-        }
+        if (distance > nearest - kNearer) continue;
+        nearest = distance;
+        apex = corner;
     }
     Binding binding;
     if (nearest < 1) {

@@ -244,28 +244,31 @@ const DisplayMesh& Renderer::displayMesh() {
     return impl_->displayed().mesh;
 }
 
-Image Renderer::draw(const gpu::StateView& state, const CameraDescription& description,
-                     const RenderSettings& settings) {
+void Renderer::render(const gpu::StateView& state, const CameraDescription& description,
+                      const RenderSettings& settings) {
     Impl& impl = *impl_;
     if (!impl.target.fits(settings.width, settings.height, settings.samples))
         impl.target = PictureTarget(settings.width, settings.height, settings.samples);
     const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
     const Camera camera = makeCamera(description, aspect, impl.bounds);
 
-    {
-        const DrawingState drawing;
-        const bool solid = settings.style != DrawStyle::Wireframe;
-        if (solid) impl.drawShadows(state, settings.mesh);
-        impl.target.begin(settings.background.value_or(glm::vec3(0)));
-        if (!settings.background) impl.backdrop.draw(camera, impl.shading, solid);
-        if (solid)
-            impl.drawSolid(state, camera, settings.mesh,
-                           settings.style == DrawStyle::Overlay ? 1.f : 0.f);
-        else
-            impl.drawWireframe(state, camera, settings.mesh);
-        impl.target.resolve();
-    }
-    return impl.target.read();
+    const DrawingState drawing;
+    const bool solid = settings.style != DrawStyle::Wireframe;
+    if (solid) impl.drawShadows(state, settings.mesh);
+    impl.target.begin(settings.background.value_or(glm::vec3(0)));
+    if (!settings.background) impl.backdrop.draw(camera, impl.shading, solid);
+    if (solid)
+        impl.drawSolid(state, camera, settings.mesh,
+                       settings.style == DrawStyle::Overlay ? 1.f : 0.f);
+    else
+        impl.drawWireframe(state, camera, settings.mesh);
+    impl.target.resolve();
+}
+
+Image Renderer::draw(const gpu::StateView& state, const CameraDescription& camera,
+                     const RenderSettings& settings) {
+    render(state, camera, settings);
+    return impl_->target.read();
 }
 
 }  // namespace sunder

@@ -42,7 +42,9 @@ class Renderer {
     /// The display mesh, made when it is first drawn.
     const DisplayMesh& displayMesh();
 
-    /// Draws one picture off screen and reads it back. Waits for the GPU.
+    /// Draws one picture off screen.
+    void render(const gpu::StateView&, const CameraDescription&, const RenderSettings&);
+    /// The same, and reads it back: waits for the GPU.
     Image draw(const gpu::StateView&, const CameraDescription&, const RenderSettings&);
 
   private:

@@ -10,6 +10,7 @@
 #include "gpu/pictures.hpp"
 #include "gpu/test_context.hpp"
 #include "render/display_pass.hpp"
+#include "render/picture_target.hpp"
 #include "scene/scene.hpp"
 #include "support/worlds.hpp"
 
@@ -62,6 +63,8 @@ std::vector<glm::vec3> movedVertices(const World& world, const State& state,
     const gl::Buffer captured(sizeof(glm::vec3) * mesh.vertices().size(), nullptr, GL_STATIC_READ,
                               "positions");
     const DisplayPass pass(DisplayPass::Output::Positions, buffers, meshBuffers);
+    const PictureTarget target(16, 16, 1);  // drawing wants one bound, even to discard
+    target.begin(glm::vec3(0));
     pass.begin();
     glEnable(GL_RASTERIZER_DISCARD);
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, captured.id());
@@ -71,7 +74,7 @@ std::vector<glm::vec3> movedVertices(const World& world, const State& state,
     glDisable(GL_RASTERIZER_DISCARD);
     std::vector<glm::vec3> result(mesh.vertices().size());
     captured.read(0, captured.size(), result.data());
-    CHECK(testContext().takeErrors().empty());
+    CHECK_THAT(testContext().takeErrors(), Catch::Matchers::Equals(std::vector<std::string>{}));
     return result;
 }
 
@@ -184,7 +187,8 @@ TEST_CASE("a broken wall of every material covers what it should, in more than o
           "[display]") {
     for (const char* material : kMaterials) {
         CAPTURE(material);
-        const World world(presetWall(material, 40));
+        const bool thesis = std::string(material).ends_with("-thesis");
+        const World world(presetWall(material, thesis ? 4 : 40));
         CameraDescription camera;
         camera.position = {0, 0.6, 2.4};
         camera.target = {0, 0.6, 0};

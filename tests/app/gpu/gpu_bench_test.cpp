@@ -57,6 +57,18 @@ TEST_CASE("App: bench writes numbers of every solver it was asked for, and a plo
     const std::set<std::string> all{"frames", "one-step", "intact", "broken"};
     CHECK(parts == decltype(parts){{"gather", all}, {"scatter", all}, {"reference", all}});
 
+    REQUIRE(report.at("drawn").size() == 2);
+    for (const json& drawn : report.at("drawn")) {
+        INFO(drawn.dump());
+        CHECK(drawn.at("cells") == scenes::kCells);
+        // At least six faces of two triangles for each cell.
+        CHECK(drawn.at("triangles") >= 12 * scenes::kCells);
+        CHECK(drawn.at("vertices") >= 24 * scenes::kCells);
+        CHECK(drawn.at("ms_display").get<double>() > 0);
+        CHECK(drawn.at("ms_simulation").get<double>() > 0);
+    }
+    CHECK(report.at("ms_display_mesh_build").get<double>() > 0);
+
     std::map<std::string, std::set<std::string>> passes;
     for (const json& pass : report.at("passes")) {
         INFO(pass.dump());

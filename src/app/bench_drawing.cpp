@@ -1,0 +1,97 @@
+#include "app/bench_drawing.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "app/bench_scenes.hpp"
+#include "app/bench_table.hpp"
+#include "core/display_mesh.hpp"
+
+namespace sunder::app {
+namespace {
+
+constexpr int kMostPictures = 30;
+
+double seconds(std::chrono::steady_clock::time_point since) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+}
+
+/// ms per picture: as many in a row as fit.
+double medianOfPictures(Renderer& renderer, const gpu::StateView& view,
+                        const CameraDescription& camera, const RenderSettings& settings,
+                        const BenchLimits& limits) {
+    const auto timed = [&](int pictures) {
+        glFinish();
+        const auto start = std::chrono::steady_clock::now();
+        for (int i = 0; i < pictures; ++i) renderer.render(view, camera, settings);
+        glFinish();
+        return seconds(start) / pictures;
+    };
+    timed(1);  // what is made when it is first needed
+    const double estimate = timed(1);
+    const int pictures =
+        std::clamp(static_cast<int>(limits.secondsPerRun / estimate), 1, kMostPictures);
+    std::vector<double> samples;
+    for (int repeat = 0; repeat < limits.repeats; ++repeat)
+        samples.push_back(1000 * timed(pictures));
+    return median(samples);
+}
+
+}  // namespace
+
+DrawingResult measureDrawing(const Scene& scene, const World& world, const State& state,
+                             const std::string& name, const BenchLimits& limits) {
+    const gpu::WorldBuffers buffers(world);
+    gpu::StateUpload upload(world);
+    const gpu::StateView view = upload.upload(state);
+    Renderer renderer(world, buffers);
+    RenderSettings settings{.width = 1280, .height = 720, .samples = 4};
+    DrawingResult result;
+    result.scene = scene.name;
+    result.state = name;
+    result.bodies = static_cast<int>(world.bodies().size());
+    result.cells = world.presentCells();
+    result.vertices = renderer.displayMesh().vertices().size();
+    result.triangles = renderer.displayMesh().indices().size() / 3;
+    result.msDisplay = medianOfPictures(renderer, view, scene.camera, settings, limits);
+    settings.mesh = DrawnMesh::Simulation;
+    result.msSimulation = medianOfPictures(renderer, view, scene.camera, settings, limits);
+    return result;
+}
+
+double measureDisplayMeshBuild(const BenchLimits& limits) {
+    Scene scene = scalingScene(2'000);
+    scene.world.bodies[0].size = {5, 4, 0.1};
+    scene.world.bodies[0].cells = {50, 40, 1};
+    const World world(scene.world);
+    std::vector<double> samples;
+    for (int repeat = 0; repeat < limits.repeats; ++repeat) {
+        const auto start = std::chrono::steady_clock::now();
+        const DisplayMesh mesh(world);
+        samples.push_back(1000 * seconds(start));
+    }
+    return median(samples);
+}
+
+std::string drawingText(const std::vector<DrawingResult>& drawn, double msBuild,
+                        const Results& simulated) {
+    const auto gather = std::find_if(simulated.begin(), simulated.end(), [](const auto& result) {
+        return result.solver == "gather" && result.skipped.empty();
+    });
+    std::vector<std::vector<std::string>> rows{
+        {"ms per picture", "display mesh", "simulation mesh"}};
+    if (gather != simulated.end()) rows[0].push_back("display / a frame of gather");
+    for (const DrawingResult& result : drawn) {
+        rows.push_back(
+            {result.state, shortNumber(result.msDisplay), shortNumber(result.msSimulation)});
+        if (gather != simulated.end())
+            rows.back().push_back(shortNumber(result.msDisplay / gather->msPerFrame()));
+    }
+    const DrawingResult& any = drawn.front();
+    return textTable(rows) + "  The display mesh has " + withCommas(any.vertices) +
+           " vertices and " + withCommas(any.triangles) +
+           " triangles. That of a wooden wall of 2,000 cells is made in " + shortNumber(msBuild) +
+           " ms.\n";
+}
+
+}  // namespace sunder::app
