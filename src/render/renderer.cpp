@@ -155,7 +155,7 @@ struct Renderer::Impl {
         glDisable(GL_DEPTH_CLAMP);
     }
 
-    void drawSolid(const gpu::StateView& state, const Camera& camera, DrawnMesh mesh, float wire) {
+    void drawOpaque(const gpu::StateView& state, const Camera& camera, DrawnMesh mesh, float wire) {
         glEnable(GL_CULL_FACE);
         if (mesh == DrawnMesh::Simulation)
             drawCells(cells.shaded, state, camera, wire);
@@ -165,7 +165,6 @@ struct Renderer::Impl {
             shading.bind(objects->shaded.begin(), camera.eye);
             objects->shaded.draw(state, camera.viewProjection());
         }
-        if (glass) transparency.draw(target, [&] { drawGlass(state, camera, mesh, wire); });
     }
 
     void drawCells(const CellPass& pass, const gpu::StateView& state, const Camera& camera,
@@ -174,6 +173,13 @@ struct Renderer::Impl {
         shading.bind(program, camera.eye);
         setUniform(program, "wire", wire);
         pass.draw(state, camera.viewProjection());
+    }
+
+    void drawTransparent(const gpu::StateView& state, const Camera& camera, DrawnMesh mesh,
+                         float wire) {
+        if (!glass) return;
+        glEnable(GL_CULL_FACE);
+        transparency.draw(target, [&] { drawGlass(state, camera, mesh, wire); });
     }
 
     void drawGlass(const gpu::StateView& state, const Camera& camera, DrawnMesh mesh, float wire) {
@@ -256,10 +262,12 @@ void Renderer::render(const gpu::StateView& state, const CameraDescription& desc
     const bool solid = settings.style != DrawStyle::Wireframe;
     if (solid) impl.drawShadows(state, settings.mesh);
     impl.target.begin(settings.background.value_or(glm::vec3(0)));
+    const float wire = settings.style == DrawStyle::Overlay ? 1.f : 0.f;
+    // The background comes late: what is hidden costs nothing.
+    if (solid) impl.drawOpaque(state, camera, settings.mesh, wire);
     if (!settings.background) impl.backdrop.draw(camera, impl.shading, solid);
     if (solid)
-        impl.drawSolid(state, camera, settings.mesh,
-                       settings.style == DrawStyle::Overlay ? 1.f : 0.f);
+        impl.drawTransparent(state, camera, settings.mesh, wire);
     else
         impl.drawWireframe(state, camera, settings.mesh);
     impl.target.resolve();
