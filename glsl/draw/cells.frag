@@ -1,6 +1,7 @@
 #include "draw/lines.glsl"
 #include "draw/output.glsl"
 #include "draw/surface.glsl"
+#include "draw/painted_light.glsl"
 
 uniform vec3 eye;
 uniform float wire;  // strength of the triangles' edges, 0 to 1
@@ -11,6 +12,7 @@ in vec2 facePosition;
 flat in vec3 normal;
 flat in uint surfaceLaw;
 flat in float seed;
+flat in int paintedCell;
 flat in float insideFace;
 flat in float boundaryFace;
 flat in uint cracks;
@@ -34,16 +36,18 @@ float wireCoverage() {
 }
 
 void main() {
-    vec4 lit = shade(SurfacePoint(position, normalize(normal), place, surfaceLaw, insideFace, boundaryFace, seed), eye);
+    vec3 n = normalize(normal);
+    vec4 lit = painted ? vec4(paintedLight(paintedCell, position, n), 1.0)
+                       : shade(SurfacePoint(position, n, place, surfaceLaw, insideFace, boundaryFace, seed), eye);
     float strength = lineStrength(facePosition);
     float lines = 0.55 * wire * strength * wireCoverage();
     float crack = 0.90 * strength * crackCoverage();
 #ifdef TRANSPARENT
     // A crack in glass is white: it scatters the light that it does not let through.
-    lit = mix(lit, vec4(skyLight(normalize(normal)), 1.0), 0.8 * crack);
+    lit = mix(lit, vec4(skyLight(n), 1.0), 0.8 * crack);
     lit = mix(lit, vec4(0.0, 0.0, 0.0, 1.0), lines);
 #else
     lit.rgb *= (1.0 - lines) * (1.0 - crack);
 #endif
-    writeColour(lit, distance(eye, position));
+    writeColour(lit, distance(eye, position), !painted);
 }

@@ -30,6 +30,7 @@ flat out uint surfaceLaw;
 flat out vec3 baseColour;      // linear RGB
 #endif
 flat out float seed;           // 0 to 1, of the body
+flat out int paintedCell;      // for draw/paint.glsl
 flat out float insideFace;     // 1 on a face that a broken bond has bared
 flat out float boundaryFace;   // 1 where that bond held two bricks or planks together
 flat out uint cracks;          // bits 0 to 3: a crack runs along facePosition x = 0, x = 1, y = 0, y = 1
@@ -63,7 +64,8 @@ void emit(int corner, vec3 p, vec3 faceNormal, vec2 onFace, bool rising) {
 #ifdef LINES
     baseColour = looks[law[0]].outside.rgb;
 #endif
-    seed = bodySeed(uint(lattice[0].w));
+    seed = fract(0.618034 * float(lattice[0].w));
+    paintedCell = cell[0];
     insideFace = float(inside[0]);
     boundaryFace = onBoundary(cellSize) ? 1.0 : 0.0;
     cracks = crackedEdges[0];

@@ -1,19 +1,20 @@
 #include "draw/output.glsl"
+#include "draw/painted_light.glsl"
 #include "draw/surface.glsl"
 
 uniform vec3 eye;
-uniform usamplerBuffer cells;
 
 in vec3 position;
 in vec3 place;
-flat in int cell;
-flat in float inside;
-flat in float boundary;
+flat in uint surfaceLaw;
+flat in float seed;
+flat in int paintedCell;
+flat in float insideFace;
+flat in float boundaryFace;
 
 void main() {
-    vec3 normal = normalize(cross(dFdx(position), dFdy(position)));
-    uvec4 record = texelFetch(cells, cell);
-    float seed = bodySeed(record.g);
-    vec4 lit = shade(SurfacePoint(position, normal, place, record.r & SUNDER_CELL_LAW, inside, boundary, seed), eye);
-    writeColour(lit, distance(eye, position));
+    vec3 n = normalize(cross(dFdx(position), dFdy(position)));  // flat: torn faces are
+    vec4 lit = painted ? vec4(paintedLight(paintedCell, position, n), 1.0)
+                       : shade(SurfacePoint(position, n, place, surfaceLaw, insideFace, boundaryFace, seed), eye);
+    writeColour(lit, distance(eye, position), !painted);
 }

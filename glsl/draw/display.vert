@@ -17,11 +17,13 @@ uniform samplerBuffer restPositions;
 uniform mat4 viewProjection;
 
 #ifndef DEPTH_ONLY
+flat out int paintedCell;  // for draw/paint.glsl
 out vec3 position;       // m, world
-out vec3 place;          // m, at rest, from the body's origin
-flat out int cell;
-flat out float inside;   // 1 on a face that a broken bond has bared
-flat out float boundary;  // 1 on one between two clusters
+out vec3 place;               // m, at rest, from the body's origin
+flat out uint surfaceLaw;
+flat out float seed;          // 0 to 1, per body
+flat out float insideFace;    // 1 on a face that a broken bond has bared
+flat out float boundaryFace;  // 1 on one between two clusters
 #endif
 
 // Depths must be the same to the bit in every pass that draws glass.
@@ -103,13 +105,14 @@ bool hidden(int c, uint code, ivec3 strides) {
 void main() {
     int self = int(place_.x);
     uint code = place_.y;
-    uint body = texelFetch(cells, self).g;
-    Lattice lattice = latticeOf(int(body));
+    uvec4 record = texelFetch(cells, self);
+    Lattice lattice = latticeOf(int(record.g));
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside every view
 #ifndef DEPTH_ONLY
+    paintedCell = self;
     position = place = vec3(0.0);
-    cell = self;
-    inside = boundary = 0.0;
+    surfaceLaw = 0u;
+    seed = insideFace = boundaryFace = 0.0;
 #endif
     if (hidden(self, code, lattice.strides)) return;
 
@@ -150,8 +153,10 @@ void main() {
     gl_Position = viewProjection * vec4(moved, 1.0);
 #ifndef DEPTH_ONLY
     position = moved;
+    surfaceLaw = record.r & SUNDER_CELL_LAW;
     place = rest - texelFetch(restPositions, 8 * lattice.firstCell).xyz;
-    inside = (code & SUNDER_DISPLAY_FACE_INNER) != 0u ? 1.0 : 0.0;
-    boundary = (code & SUNDER_DISPLAY_FACE_BOUNDARY) != 0u ? 1.0 : 0.0;
+    seed = fract(0.618034 * float(record.g));
+    insideFace = (code & SUNDER_DISPLAY_FACE_INNER) != 0u ? 1.0 : 0.0;
+    boundaryFace = (code & SUNDER_DISPLAY_FACE_BOUNDARY) != 0u ? 1.0 : 0.0;
 #endif
 }

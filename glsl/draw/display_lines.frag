@@ -1,8 +1,10 @@
-// Edges of the displayed triangles, drawn as lines by the polygon mode.
-uniform vec4 lineColour;
+// Edges of the display mesh's triangles, drawn as lines by the polygon mode.
+#include "draw/paint.glsl"
+
+flat in int paintedCell;
 
 out vec4 colour;
 
 void main() {
-    colour = lineColour;
+    colour = vec4(paint(paintedCell, vec3(0.02)), 0.5);
 }

@@ -25,6 +25,13 @@ vec3 ambientAt(float y, vec3 n) {
     return ambient;
 }
 
+// All light on a point p of a dull surface with the unit normal n.
+vec3 diffuseLight(vec3 p, vec3 n) {
+    float cosine = dot(n, SUN_DIRECTION);
+    float sun = cosine > 0.0 ? cosine * sunVisibility(p, n, cosine) : 0.0;
+    return SUN_LIGHT * sun + ambientAt(p.y, n);
+}
+
 // The sun's highlight over its light, for unit vectors.
 float sunHighlight(float roughness, float specular, vec3 n, vec3 view) {
     vec3 halfway = normalize(SUN_DIRECTION + view);

@@ -22,6 +22,9 @@ VARYING out vec3 normal;
 out vec3 direction;          // the normal, in the object's own axes
 flat out float seams;        // 1 on a round object, whose spin nothing else would show
 flat out vec3 baseColour;    // linear RGB
+#ifdef FLAT
+flat out int paintedCell;    // draw/wire.frag reads it where cells are painted; objects are not
+#endif
 
 struct RoundedBox {
     vec3 centre;
@@ -71,6 +74,9 @@ void main() {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside every view
     position = normal = direction = baseColour = vec3(0.0);
     seams = 0.0;
+#ifdef FLAT
+    paintedCell = -1;
+#endif
     if (texelFetch(places, object).w == 0.0) return;
 
     // Two triangles a quad, anticlockwise as (axis, u, v) is right-handed, and the other way round on the negative side.

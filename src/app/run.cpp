@@ -1,70 +1,28 @@
 // sunder run: scene file → world → solver → node buffer → picture, without a screen.
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <optional>
 
 #include "app/commands.hpp"
-#include "app/output_path.hpp"
+#include "app/frame_sinks.hpp"
 #include "app/progress.hpp"
+#include "app/run_options.hpp"
 #include "app/run_report.hpp"
 #include "app/solver_factory.hpp"
 #include "balance/balanced_solver.hpp"
 #include "core/vtu.hpp"
 #include "gl/context.hpp"
 #include "image/image.hpp"
-#include "render/renderer.hpp"
+#include "render/legend.hpp"
 #include "scene/scene.hpp"
 
 namespace sunder::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct RunOptions {
-    std::string scene;
-    std::string solver = "gather";
-    std::optional<int> frames;
-    double fps = 60;
-    std::optional<std::uint64_t> seed;
-    std::string size = "1280x720";
-    std::string out;
-    int pngEvery = 20;
-    std::string mesh = "display";
-    std::string style = "solid";
-    std::string json;
-    std::string state;
-};
-
-RenderSettings renderSettings(const RunOptions& options) {
-    RenderSettings settings;
-    // Not sscanf: it takes 4294967456 for 160.
-    const char *text = options.size.data(), *end = text + options.size.size();
-    const auto width = std::from_chars(text, end, settings.width);
-    const bool separated = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
-    const auto height = separated ? std::from_chars(width.ptr + 1, end, settings.height) : width;
-    if (!separated || height.ec != std::errc() || height.ptr != end || settings.width < 16 ||
-        settings.height < 16 || settings.width > 8192 || settings.height > 8192)
-        throw InputError("--size: '" + options.size +
-                         "' is not WIDTHxHEIGHT with both from 16 to 8192, for example 1280x720");
-    if (options.mesh == "simulation") settings.mesh = DrawnMesh::Simulation;
-    if (options.style == "wireframe") settings.style = DrawStyle::Wireframe;
-    if (options.style == "overlay") settings.style = DrawStyle::Overlay;
-    return settings;
-}
-
-/// CLI11 alone takes -1 for 2^64 - 1. Says what is wrong, if anything.
-std::string checkSeed(const std::string& text) {
-    std::uint64_t seed = 0;
-    const char* end = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), end, seed);
-    if (result.ec == std::errc() && result.ptr == end) return {};
-    return "'" + text + "' is not a whole number from 0 to 18446744073709551615";
-}
 
 /// The step stays near the scene's; a frame holds a whole number of them, so the physics hardly
 /// depends on --fps.
@@ -77,30 +35,50 @@ int fitStepsToFrame(Scene& scene, double fps) {
 /// Incidents in a frame that are not lost.
 constexpr std::size_t kIncidentRoom = 65536;
 
-/// Draws frames into DIR/frame_0000.png, … .
-class FrameWriter {
+/// Draws a solver's state.
+class FramePainter {
   public:
-    FrameWriter(const Scene& scene, const World& world, Solver& solver,
-                const gpu::WorldBuffers& buffers, RenderSettings settings, fs::path folder)
+    FramePainter(const Scene& scene, const World& world, Solver& solver,
+                 const gpu::WorldBuffers& buffers, const RenderSettings& settings,
+                 WallColour colour)
         : camera_(scene.camera),
+          solver_(solver),
           renderer_(world, buffers),
           view_(world, solver),
-          settings_(settings),
-          folder_(std::move(folder)) {}
+          colour_(colour),
+          colours_(world),
+          settings_(settings) {
+        settings_.colours = &colours_;
+    }
 
-    void write(int frame) {
-        char name[32];
-        std::snprintf(name, sizeof name, "frame_%04d.png", frame);
-        writePng(folder_ / name, renderer_.draw(view_.view(), camera_, settings_));
+    Frame draw(int number, double time) {
+        if (colour_ != WallColour::Material) colours_.update(solver_.state(), colour_);
+        Image plain = renderer_.draw(view_.view(), camera_, settings_);
+        Image withLegend = plain;
+        drawLegend(withLegend, colours_.key());
+        return {number, time, std::move(plain), colours_.key(), std::move(withLegend)};
     }
 
   private:
     CameraDescription camera_;
+    Solver& solver_;
     Renderer renderer_;
     SolverView view_;
+    WallColour colour_;
+    CellColours colours_;
     RenderSettings settings_;
-    fs::path folder_;
 };
+
+/// Draws a frame if any sink wants it.
+void deliver(int number, double fps, FramePainter& painter,
+             const std::vector<std::unique_ptr<FrameSink>>& sinks) {
+    std::optional<Frame> frame;
+    for (const auto& sink : sinks) {
+        if (!sink->wants(number)) continue;
+        if (!frame) frame = painter.draw(number, number / fps);
+        sink->take(*frame);
+    }
+}
 
 /// Writes everything the user asked for about the last state; with pictures, the report also goes
 /// beside them.
@@ -114,25 +92,23 @@ void writeResults(const RunOptions& options, const Scene& scene, const World& wo
 
 int run(RunOptions options) {
     Scene scene = loadScene(options.scene);
+    if (options.out.empty()) options.out = (fs::path("out") / scene.name).string();
+    checkRunOptions(options);
     const SolverInfo& solverInfo = findSolver(options.solver);
     const RenderSettings settings = renderSettings(options);
-    if (!(options.fps >= 1 && options.fps <= 1000))  // CLI::Range lets nan through
-        throw InputError("--fps: it must be from 1 to 1000");
     if (options.seed) scene.world.seed = *options.seed;
     RunFacts facts;
     facts.solver = solverInfo.name;
     facts.frames = options.frames.value_or(
         std::max(1, static_cast<int>(std::lround(scene.frames * options.fps / 60))));
     facts.stepsPerFrame = fitStepsToFrame(scene, options.fps);
-    if (options.out.empty()) options.out = (fs::path("out") / scene.name).string();
-    for (const std::string& path : {options.json, options.state}) checkWritable(path, options.out);
     const World world(scene.world);
 
     // Everything that can be refused is refused before the first file is made.
-    const bool pictures = options.pngEvery > 0;
+    const auto sinks = makeFrameSinks(options, scene.world, settings, facts.frames);
     std::unique_ptr<gl::Context> context;
     std::optional<gpu::WorldBuffers> buffers;
-    if (pictures || solverInfo.gpu) {
+    if (!sinks.empty() || solverInfo.gpu) {
         context = gl::createHeadlessContext();
         facts.renderer = context->info().renderer;
         buffers.emplace(world);
@@ -141,8 +117,9 @@ int run(RunOptions options) {
     const std::unique_ptr<Solver> solver =
         makeSolver(solverInfo, world, buffers ? &*buffers : nullptr);
     solver->setIncidents(&incidents);
-    std::optional<FrameWriter> frameWriter;
-    if (pictures) frameWriter.emplace(scene, world, *solver, *buffers, settings, options.out);
+    std::optional<FramePainter> painter;
+    if (!sinks.empty())
+        painter.emplace(scene, world, *solver, *buffers, settings, wallColour(options));
     if (context) context->check();
     std::error_code error;
     fs::create_directories(options.out, error);
@@ -155,8 +132,7 @@ int run(RunOptions options) {
         Progress progress(scene.name, facts.frames);
         for (int frame = 0; frame <= facts.frames; ++frame) {
             progress.update(frame);
-            if (pictures && (frame % options.pngEvery == 0 || frame == facts.frames))
-                frameWriter->write(frame);
+            if (painter) deliver(frame, options.fps, *painter, sinks);
             if (frame == facts.frames) break;
             const auto start = std::chrono::steady_clock::now();
             solver->advance(facts.stepsPerFrame);
@@ -167,6 +143,7 @@ int run(RunOptions options) {
             facts.incidents.take(incidents);
         }
     }
+    for (const auto& sink : sinks) sink->finish();
     if (const auto* shared = dynamic_cast<const BalancedSolver*>(solver.get()))
         facts.bodiesOnGpu = shared->bodiesOnGpu();
     if (const auto* onGpu = dynamic_cast<const gpu::GpuSolver*>(solver.get());
@@ -178,8 +155,10 @@ int run(RunOptions options) {
     if (context) context->check();
     writeResults(options, scene, world, state, facts);
     std::cout << reportText(scene, world, state, facts);
-    if (pictures)
+    if (options.pngEvery > 0)
         std::cout << "pictures: " << (fs::path(options.out) / "frame_*.png").string() << '\n';
+    if (!options.contactSheet.empty()) std::cout << "sheet:    " << options.contactSheet << '\n';
+    if (!options.video.empty()) std::cout << "video:    " << options.video << '\n';
     std::cout << "report:   " << (fs::path(options.out) / "report.json").string() << '\n';
     return kDone;
 }
@@ -190,42 +169,7 @@ void addRun(CLI::App& app, Action& chosen) {
     CLI::App* command =
         app.add_subcommand("run", "Simulate a scene without a screen; write pictures and a report");
     auto options = std::make_shared<RunOptions>();
-    command
-        ->add_option("scene", options->scene, "a preset's name (see: sunder list) or a TOML file")
-        ->required()
-        ->type_name("SCENE");
-    command->add_option("--solver", options->solver, "see: sunder list")->capture_default_str();
-    command->add_option("--frames", options->frames, "how many frames (default: the scene's)")
-        ->check(CLI::Range(1, 1000000));
-    command->add_option("--fps", options->fps, "frames per second of simulated time, 1 to 1000")
-        ->capture_default_str();
-    command->add_option("--seed", options->seed, "of the strength map (default: the scene's)")
-        ->check(checkSeed, "");
-    command->add_option("--size", options->size, "of pictures")
-        ->type_name("WxH")
-        ->capture_default_str();
-    command
-        ->add_option("--out", options->out,
-                     "folder for pictures and report.json (default: out/SCENE)")
-        ->type_name("DIR");
-    command
-        ->add_option("--frames-png", options->pngEvery,
-                     "a picture every so many frames, and of the last; 0: none")
-        ->check(CLI::Range(0, 1000000))
-        ->type_name("EVERY")
-        ->capture_default_str();
-    command
-        ->add_option("--mesh", options->mesh,
-                     "what is drawn of walls: display (torn edges) or simulation (tetrahedra)")
-        ->check(CLI::IsMember({"display", "simulation"}))
-        ->capture_default_str();
-    command
-        ->add_option("--style", options->style, "how walls are drawn: solid, wireframe or overlay")
-        ->check(CLI::IsMember({"solid", "wireframe", "overlay"}))
-        ->capture_default_str();
-    command->add_option("--state", options->state, "write the last state as .vtu (ParaView)")
-        ->type_name("FILE.vtu");
-    command->add_option("--json", options->json, "also write the report here")->type_name("FILE");
+    addRunOptions(*command, *options);
     command->callback([&chosen, options] { chosen = [options] { return run(*options); }; });
 }
 

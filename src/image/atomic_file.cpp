@@ -1,10 +1,10 @@
 #include <cerrno>
 #include <fstream>
-#include <random>
 #include <system_error>
 
 #include "core/types.hpp"
 #include "image/image.hpp"
+#include "image/temporary_file.hpp"
 
 namespace sunder {
 namespace {
@@ -19,35 +19,6 @@ std::string reasonOfLastError() {
     return errno ? std::generic_category().message(errno) : "unknown reason";
 }
 
-/// Beside `path`, so that renaming stays within one file system; random, so that two programs may
-/// write at once.
-fs::path temporaryName(const fs::path& path) {
-    static constexpr char kDigits[] = "0123456789abcdef";
-    std::random_device random;
-    fs::path name = path;
-    std::string suffix = ".tmp-";
-    for (int i = 0; i < 12; ++i) suffix += kDigits[random() & 15u];
-    name += suffix;
-    return name;
-}
-
-/// Removes a file unless told that it has been renamed.
-class TemporaryFile {
-  public:
-    explicit TemporaryFile(fs::path path) : path_(std::move(path)) {}
-    ~TemporaryFile() {
-        std::error_code ignored;
-        if (!path_.empty()) fs::remove(path_, ignored);
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    const fs::path& path() const { return path_; }
-    void release() { path_.clear(); }
-
-  private:
-    fs::path path_;
-};
-
 }  // namespace
 
 void writeFileAtomically(const fs::path& path, std::string_view contents) {
@@ -57,7 +28,7 @@ void writeFileAtomically(const fs::path& path, std::string_view contents) {
         fail(path, "the folder " + folder.string() + " does not exist");
     if (!path.has_filename() || fs::is_directory(path, error)) fail(path, "it is a folder");
 
-    TemporaryFile temporary(temporaryName(path));
+    TemporaryFile temporary(path);
     errno = 0;
     std::ofstream file(temporary.path(), std::ios::binary | std::ios::trunc);
     if (file) {
@@ -66,9 +37,7 @@ void writeFileAtomically(const fs::path& path, std::string_view contents) {
     }
     if (!file) fail(path, reasonOfLastError());
 
-    fs::rename(temporary.path(), path, error);
-    if (error) fail(path, error.message());
-    temporary.release();
+    temporary.moveToTarget();
 }
 
 }  // namespace sunder

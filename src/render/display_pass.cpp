@@ -9,27 +9,27 @@ namespace {
 constexpr GLuint kRestLocation = 0, kPlaceLocation = 1;
 
 gl::ProgramDescription describe(DisplayPass::Output output) {
+    using Output = DisplayPass::Output;
     gl::ProgramDescription description{.vertex = "draw/display.vert"};
     switch (output) {
-        case DisplayPass::Output::Depth:
+        case Output::Depth:
             description.defines = {{"DEPTH_ONLY", "1"}};
             break;
-        case DisplayPass::Output::Shaded:
+        case Output::Shaded:
             description.fragment = "draw/display.frag";
             break;
-        case DisplayPass::Output::Lines:
-            description.defines = {{"DEPTH_ONLY", "1"}};
+        case Output::Lines:
             description.fragment = "draw/display_lines.frag";
             break;
-        case DisplayPass::Output::Veil:
-            description.defines = {{"DEPTH_ONLY", "1"}};
+        case Output::Veil:
             description.fragment = "draw/veil.frag";
+            description.defines = {{"DEPTH_ONLY", "1"}};
             break;
-        case DisplayPass::Output::Transparent:
-            description.defines = {{"TRANSPARENT", "1"}};
+        case Output::Transparent:
             description.fragment = "draw/display.frag";
+            description.defines = {{"TRANSPARENT", "1"}};
             break;
-        case DisplayPass::Output::Positions:
+        case Output::Positions:
             description.feedback = {"position"};
             break;
     }

@@ -34,7 +34,7 @@ class DisplayPass {
         Depth,  ///< for the shadow map
         Shaded,
         Lines,        ///< one colour, for GL_LINE polygons
-        Veil,         ///< for the shadow map, of transparent materials
+        Veil,         ///< of transparent materials, for the shadow map
         Transparent,  ///< inside Transparency::draw()
         Positions,    ///< captured: `position` of every vertex, m
     };

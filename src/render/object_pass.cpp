@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/shadow_map.hpp"
+#include "render/shading.hpp"
 #include "render/uniforms.hpp"
 
 namespace sunder {
@@ -42,7 +42,7 @@ ObjectPass::ObjectPass(CellPass::Output output, const World& world,
       segments_(output == CellPass::Output::Lines ? kLineSegments : kSegments) {
     program_.bindSampler("objects", kObjectUnit);
     program_.bindSampler("places", kPlaceUnit);
-    ShadowMap::prepare(program_);
+    Shading::prepare(program_);
     for (std::size_t i = 0; i < world.objects().size(); ++i)
         if (world.objects()[i].chain > 0)
             chains_.push_back({static_cast<int>(i), linkCount(world.objects()[i])});

@@ -8,7 +8,6 @@ namespace sunder {
 /// Draws a world's objects, and the chains that they hang from.
 class ObjectPass {
   public:
-    using Output = CellPass::Output;
     ObjectPass(CellPass::Output, const World&, const gpu::WorldBuffers&,
                const gl::VertexArray& noAttributes);
 

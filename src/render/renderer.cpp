@@ -4,12 +4,11 @@
 
 #include "render/backdrop.hpp"
 #include "render/camera.hpp"
-#include "render/cell_pass.hpp"
-#include "render/display_pass.hpp"
+#include "render/display_walls.hpp"
 #include "render/object_pass.hpp"
 #include "render/picture_target.hpp"
 #include "render/scene_bounds.hpp"
-#include "render/shading.hpp"
+#include "render/simulation_walls.hpp"
 #include "render/transparency.hpp"
 #include "render/uniforms.hpp"
 
@@ -52,189 +51,101 @@ class DrawingState {
     DrawingState& operator=(const DrawingState&) = delete;
 };
 
-/// Passes of one kind: one per way of drawing.
-template <typename Pass>
-struct Passes {
-    Pass depth, shaded, lines;
+/// Objects: one pass per way of drawing.
+struct Objects {
+    ObjectPass depth, shaded, lines;
 
-    template <typename... Arguments>
-    explicit Passes(const Arguments&... arguments)
-        : depth(Pass::Output::Depth, arguments...),
-          shaded(Pass::Output::Shaded, arguments...),
-          lines(Pass::Output::Lines, arguments...) {}
-};
-
-/// The same for what lets light through.
-template <typename Pass>
-struct GlassPasses {
-    Pass veil, shaded;
-
-    template <typename... Arguments>
-    explicit GlassPasses(const Arguments&... arguments)
-        : veil(Pass::Output::Veil, arguments...), shaded(Pass::Output::Transparent, arguments...) {}
-};
-
-/// The display mesh and its passes.
-struct Display {
-    DisplayMesh mesh;
-    DisplayBuffers buffers;
-    Passes<DisplayPass> passes;
-    std::optional<GlassPasses<DisplayPass>> glass;  ///< where there is any
-
-    Display(const World& world, const gpu::WorldBuffers& worldBuffers)
-        : mesh(world), buffers(mesh), passes(worldBuffers, buffers) {
-        if (!buffers.empty(DisplayBuffers::Part::Transparent)) glass.emplace(worldBuffers, buffers);
-    }
+    Objects(const World& world, const gpu::WorldBuffers& buffers,
+            const gl::VertexArray& noAttributes)
+        : depth(CellPass::Output::Depth, world, buffers, noAttributes),
+          shaded(CellPass::Output::Shaded, world, buffers, noAttributes),
+          lines(CellPass::Output::Lines, world, buffers, noAttributes) {}
 };
 
 }  // namespace
 
 struct Renderer::Impl {
     const World& world;
-    const gpu::WorldBuffers& worldBuffers;
+    const gpu::WorldBuffers& buffers;
     SceneBounds bounds;
     gl::VertexArray noAttributes = gl::makeVertexArray();
     Shading shading;
     Backdrop backdrop;
-    Passes<CellPass> cells;
-    std::optional<Display> display;              ///< once it has been asked for
-    std::optional<Passes<ObjectPass>> objects;   ///< where the world has any
-    std::optional<GlassPasses<CellPass>> glass;  ///< where a material lets light through
-    Transparency transparency;
+    // Made when they are first drawn.
+    std::optional<DisplayWalls> displayWalls;
+    std::optional<SimulationWalls> simulationWalls;
+    std::optional<Objects> objects;            ///< where the world has any
+    std::optional<Transparency> transparency;  ///< where a material is transparent
     PictureTarget target;
 
-    Impl(const World& w, const gpu::WorldBuffers& buffers)
+    Impl(const World& w, const gpu::WorldBuffers& b)
         : world(w),
-          worldBuffers(buffers),
+          buffers(b),
           bounds(sceneBounds(world)),
           shading(world, bounds, noAttributes),
-          backdrop(bounds, noAttributes),
-          cells(buffers, noAttributes),
-          transparency(noAttributes) {
+          backdrop(bounds, noAttributes) {
         if (!world.objects().empty()) objects.emplace(world, buffers, noAttributes);
-        if (shading.looks().anyTransparent()) glass.emplace(buffers, noAttributes);
+        if (shading.looks().anyTransparent()) transparency.emplace(noAttributes);
     }
 
-    Display& displayed() {
-        if (!display) display.emplace(world, worldBuffers);
-        return *display;
+    DisplayWalls& displayed() {
+        if (!displayWalls) displayWalls.emplace(world, buffers);
+        return *displayWalls;
     }
 
-    void drawShadows(const gpu::StateView& state, DrawnMesh mesh) {
+    const Walls& walls(DrawnMesh mesh) {
+        if (mesh == DrawnMesh::Display) return displayed();
+        if (!simulationWalls)
+            simulationWalls.emplace(buffers, noAttributes, transparency.has_value());
+        return *simulationWalls;
+    }
+
+    void drawShadows(const gpu::StateView& state, const Walls& walls) const {
         const ShadowMap& shadows = shading.shadows();
-        const bool simulation = mesh == DrawnMesh::Simulation;
         shadows.begin();
         // What stands between the sun and the map's box is flattened onto its front instead of
         // being cut off.
         glEnable(GL_DEPTH_CLAMP);
         shading.looks().bind();
-        if (simulation) {
-            cells.depth.begin();
-            cells.depth.draw(state, shadows.lightMatrix());
-        } else {
-            const DisplayPass& pass = displayed().passes.depth;
-            pass.begin();
-            pass.draw(state, shadows.lightMatrix(), DisplayBuffers::Part::Opaque);
-        }
+        walls.drawDepth(state, shadows.lightMatrix());
         if (objects) {
             objects->depth.begin();
             objects->depth.draw(state, shadows.lightMatrix());
         }
-        if (glass) {
+        if (transparency) {
             shadows.beginVeil();
-            if (simulation) {
-                glass->veil.begin();
-                glass->veil.draw(state, shadows.lightMatrix());
-            } else if (const auto& displayGlass = displayed().glass) {
-                displayGlass->veil.begin();
-                displayGlass->veil.draw(state, shadows.lightMatrix(),
-                                        DisplayBuffers::Part::Transparent);
-            }
+            walls.drawVeil(state, shadows.lightMatrix());
             ShadowMap::endVeil();
         }
         glDisable(GL_DEPTH_CLAMP);
     }
 
-    void drawOpaque(const gpu::StateView& state, const Camera& camera, DrawnMesh mesh, float wire) {
+    void drawOpaque(const gpu::StateView& state, const Camera& camera, const Walls& walls,
+                    bool wire) const {
         glEnable(GL_CULL_FACE);
-        if (mesh == DrawnMesh::Simulation)
-            drawCells(cells.shaded, state, camera, wire);
-        else
-            drawDisplay(state, camera, wire > 0);
+        walls.drawOpaque(state, camera, shading, wire);
         if (objects) {
             shading.bind(objects->shaded.begin(), camera.eye);
             objects->shaded.draw(state, camera.viewProjection());
         }
     }
 
-    void drawCells(const CellPass& pass, const gpu::StateView& state, const Camera& camera,
-                   float wire) const {
-        const gl::Program& program = pass.begin();
-        shading.bind(program, camera.eye);
-        setUniform(program, "wire", wire);
-        pass.draw(state, camera.viewProjection());
-    }
-
-    void drawTransparent(const gpu::StateView& state, const Camera& camera, DrawnMesh mesh,
-                         float wire) {
-        if (!glass) return;
+    void drawTransparent(const gpu::StateView& state, const Camera& camera, const Walls& walls,
+                         bool wire) {
+        if (!transparency) return;
         glEnable(GL_CULL_FACE);
-        transparency.draw(target, [&] { drawGlass(state, camera, mesh, wire); });
-    }
-
-    void drawGlass(const gpu::StateView& state, const Camera& camera, DrawnMesh mesh, float wire) {
-        if (mesh == DrawnMesh::Simulation) {
-            drawCells(glass->shaded, state, camera, wire);
-        } else if (const auto& displayGlass = displayed().glass) {
-            shading.bind(displayGlass->shaded.begin(), camera.eye);
-            displayGlass->shaded.draw(state, camera.viewProjection(),
-                                      DisplayBuffers::Part::Transparent);
-        }
-    }
-
-    void drawDisplay(const gpu::StateView& state, const Camera& camera, bool wire) {
-        const DisplayPass& pass = displayed().passes.shaded;
-        shading.bind(pass.begin(), camera.eye);
-        // Lines in front of the surface that they are on.
-        if (wire) glEnable(GL_POLYGON_OFFSET_FILL);
-        glPolygonOffset(1, 2);
-        pass.draw(state, camera.viewProjection(), DisplayBuffers::Part::Opaque);
-        glDisable(GL_POLYGON_OFFSET_FILL);
-        if (!wire) return;
-        glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-        drawDisplayLines(state, camera, glm::vec4(0.02f, 0.02f, 0.02f, 0.5f));
-        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-    }
-
-    void drawDisplayLines(const gpu::StateView& state, const Camera& camera,
-                          const glm::vec4& colour) {
-        glDepthMask(GL_FALSE);
-        glEnable(GL_BLEND);
-        glBlendEquation(GL_FUNC_ADD);
-        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-        setUniform(displayed().passes.lines.begin(), "lineColour", colour);
-        displayed().passes.lines.draw(state, camera.viewProjection(), DisplayBuffers::Part::Opaque);
-        displayed().passes.lines.draw(state, camera.viewProjection(),
-                                      DisplayBuffers::Part::Transparent);
-        glDisable(GL_BLEND);
-        glDepthMask(GL_TRUE);
+        transparency->draw(target, [&] { walls.drawTransparent(state, camera, shading, wire); });
     }
 
     /// Lines hide nothing, so that the far side shows through.
-    void drawWireframe(const gpu::StateView& state, const Camera& camera, DrawnMesh mesh) {
+    void drawWireframe(const gpu::StateView& state, const Camera& camera, const Walls& walls) {
         glDisable(GL_CULL_FACE);
         glDepthMask(GL_FALSE);
         glEnable(GL_BLEND);
         glBlendEquation(GL_FUNC_ADD);
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
         glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-        if (mesh == DrawnMesh::Simulation) {
-            shading.bind(cells.lines.begin(), camera.eye);
-            cells.lines.draw(state, camera.viewProjection());
-        } else {
-            drawDisplayLines(state, camera, glm::vec4(0.05f, 0.04f, 0.03f, 0.6f));
-            glEnable(GL_BLEND);
-        }
+        walls.drawLines(state, camera, shading);
         if (!objects) return;
         shading.bind(objects->lines.begin(), camera.eye);
         objects->lines.draw(state, camera.viewProjection());
@@ -247,7 +158,7 @@ Renderer::Renderer(const World& world, const gpu::WorldBuffers& buffers)
 Renderer::~Renderer() = default;
 
 const DisplayMesh& Renderer::displayMesh() {
-    return impl_->displayed().mesh;
+    return impl_->displayed().mesh();
 }
 
 void Renderer::render(const gpu::StateView& state, const CameraDescription& description,
@@ -256,20 +167,22 @@ void Renderer::render(const gpu::StateView& state, const CameraDescription& desc
     if (!impl.target.fits(settings.width, settings.height, settings.samples))
         impl.target = PictureTarget(settings.width, settings.height, settings.samples);
     const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
+    impl.shading.paint().set(settings.colours);
     const Camera camera = makeCamera(description, aspect, impl.bounds);
 
     const DrawingState drawing;
+    const Walls& walls = impl.walls(settings.mesh);
     const bool solid = settings.style != DrawStyle::Wireframe;
-    if (solid) impl.drawShadows(state, settings.mesh);
+    if (solid) impl.drawShadows(state, walls);
     impl.target.begin(settings.background.value_or(glm::vec3(0)));
-    const float wire = settings.style == DrawStyle::Overlay ? 1.f : 0.f;
+    const bool wire = settings.style == DrawStyle::Overlay;
     // The background comes late: what is hidden costs nothing.
-    if (solid) impl.drawOpaque(state, camera, settings.mesh, wire);
+    if (solid) impl.drawOpaque(state, camera, walls, wire);
     if (!settings.background) impl.backdrop.draw(camera, impl.shading, solid);
     if (solid)
-        impl.drawTransparent(state, camera, settings.mesh, wire);
+        impl.drawTransparent(state, camera, walls, wire);
     else
-        impl.drawWireframe(state, camera, settings.mesh);
+        impl.drawWireframe(state, camera, walls);
     impl.target.resolve();
 }
 

@@ -6,6 +6,7 @@
 #include "core/display_mesh.hpp"
 #include "gpu/world_buffers.hpp"
 #include "image/image.hpp"
+#include "render/cell_colours.hpp"
 #include "scene/scene.hpp"
 
 namespace sunder {
@@ -28,6 +29,7 @@ struct RenderSettings {
     /// Linear RGB instead of sky and ground, to cut walls out by.
     std::optional<glm::vec3> background = std::nullopt;
     DrawStyle style = DrawStyle::Solid;
+    const CellColours* colours = nullptr;  ///< of walls; null: the materials' own
 };
 
 /// Draws a world: sky, ground, sun with shadow, objects, and walls, either as their display mesh

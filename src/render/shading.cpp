@@ -14,12 +14,14 @@ void Shading::prepare(const gl::Program& program) {
     LookTable::prepare(program);
     SurfaceTextures::prepare(program);
     ShadowMap::prepare(program);
+    CellPaint::bindSampler(program);
 }
 
 void Shading::bind(const gl::Program& program, const glm::vec3& eye) const {
     looks_.bind();
     textures_.bind(program);
     shadows_.bind(program);
+    paint_.bind(program);
     setUniform(program, "grounded", grounded_);
     setUniform(program, "eye", eye);
 }

@@ -1,11 +1,13 @@
 #pragma once
+#include "render/cell_paint.hpp"
 #include "render/look_table.hpp"
 #include "render/shadow_map.hpp"
 #include "render/surface_textures.hpp"
 
 namespace sunder {
 
-/// Everything that glsl/draw/surface.glsl reads: looks, textures, sun and shadow. One for a world.
+/// Everything that glsl/draw/surface.glsl reads: looks, textures, sun and shadow; and what it may
+/// be painted with instead. One for a world.
 class Shading {
   public:
     Shading(const World&, const SceneBounds&, const gl::VertexArray& noAttributes);
@@ -17,11 +19,13 @@ class Shading {
 
     const LookTable& looks() const { return looks_; }
     const ShadowMap& shadows() const { return shadows_; }
+    CellPaint& paint() { return paint_; }
 
   private:
     LookTable looks_;
     SurfaceTextures textures_;
     ShadowMap shadows_;
+    CellPaint paint_;
     bool grounded_;
 };
 

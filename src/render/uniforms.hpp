@@ -28,7 +28,8 @@ enum TextureUnit {
     kShadowVeilUnit,
     kSurfaceUnit,
     kLightSumUnit,
-    kTransmissionUnit
+    kTransmissionUnit,
+    kPaintUnit
 };
 
 }  // namespace sunder

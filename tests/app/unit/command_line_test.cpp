@@ -38,8 +38,9 @@ TEST_CASE("App: --help names every command, and a command's --help its options")
         CHECK(contains(one.out, "Usage: sunder " + command));
     }
     const Result run = place.run({"run", "--help"}, kNoGl);
-    for (const std::string option : {"--solver", "--frames", "--fps", "--seed", "--size", "--out",
-                                     "--frames-png", "--style", "--state", "--json"}) {
+    for (const std::string option :
+         {"--solver", "--frames", "--fps", "--seed", "--size", "--out", "--frames-png", "--video",
+          "--contact-sheet", "--sheet-times", "--style", "--colour", "--state", "--json"}) {
         INFO(option);
         CHECK(contains(run.out, "  " + option + " "));
     }

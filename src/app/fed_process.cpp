@@ -1,0 +1,158 @@
+#include "app/fed_process.hpp"
+
+#include "core/types.hpp"
+
+#ifdef _WIN32
+#include <windows.h>
+#else
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <system_error>
+
+extern char** environ;
+#endif
+
+namespace sunder::app {
+
+#ifdef _WIN32
+
+namespace {
+
+/// A word for cmd, which reads _popen's line. Within quotes it still replaces %NAME%, and nothing
+/// hides a quote.
+std::string quoted(const std::string& word) {
+    if (word.find_first_of("\"%") != std::string::npos)
+        throw InputError("'" + word + "' cannot be handed to another program: it has a \" or %");
+    return '"' + word + '"';
+}
+
+}  // namespace
+
+FedProcess::FedProcess(const std::vector<std::string>& command) {
+    char found[MAX_PATH];
+    if (!SearchPathA(nullptr, command.front().c_str(), ".exe", MAX_PATH, found, nullptr)) return;
+    char folder[MAX_PATH], name[MAX_PATH];
+    GetTempPathA(MAX_PATH, folder);
+    GetTempFileNameA(folder, "sun", 0, name);
+    errorName_ = name;
+    std::string line;
+    for (const std::string& word : command) line += quoted(word) + ' ';
+    // cmd removes the first and the last quote of a line.
+    line = '"' + line + ">nul 2>" + quoted(errorName_) + '"';
+    input_ = _popen(line.c_str(), "wb");
+    started_ = input_ != nullptr;
+}
+
+FedProcess::~FedProcess() {
+    close();
+    if (errors_) std::fclose(errors_);
+    if (!errorName_.empty()) DeleteFileA(errorName_.c_str());
+}
+
+bool FedProcess::feed(std::string_view bytes) {
+    return std::fwrite(bytes.data(), 1, bytes.size(), input_) == bytes.size();
+}
+
+bool FedProcess::close() {
+    if (!input_) return false;
+    const int status = _pclose(input_);
+    input_ = nullptr;
+    errors_ = std::fopen(errorName_.c_str(), "rb");
+    return status == 0;
+}
+
+#else
+
+namespace {
+
+[[noreturn]] void fail(const std::string& program, int error) {
+    throw InputError("cannot start " + program + ": " + std::generic_category().message(error));
+}
+
+}  // namespace
+
+FedProcess::FedProcess(const std::vector<std::string>& command)
+    // A program that ends early is no reason for this one to die without a word.
+    : pipeHandler_(std::signal(SIGPIPE, SIG_IGN)) {
+    // A file, not a pipe: nobody has to read it while frames are fed.
+    errors_ = std::tmpfile();
+    int ends[2];
+    if (!errors_ || pipe(ends) != 0) fail(command.front(), errno);
+    // Else the other program would hold its own input open.
+    for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
+
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    // Errors first: their file is number 0 where this program's own input was closed.
+    posix_spawn_file_actions_adddup2(&files, fileno(errors_), STDERR_FILENO);
+    posix_spawn_file_actions_adddup2(&files, ends[0], STDIN_FILENO);
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t pipes;
+    sigemptyset(&pipes);
+    sigaddset(&pipes, SIGPIPE);
+    posix_spawnattr_setsigdefault(&attributes, &pipes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+
+    std::vector<char*> words;
+    for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+    words.push_back(nullptr);
+    pid_t process = -1;
+    const int error =
+        posix_spawnp(&process, words.front(), &files, &attributes, words.data(), environ);
+    posix_spawn_file_actions_destroy(&files);
+    posix_spawnattr_destroy(&attributes);
+    ::close(ends[0]);
+    if (error) ::close(ends[1]);
+    // A folder of PATH that cannot be searched (EACCES) has no such program either.
+    if (error == ENOENT || error == EACCES || error == ENOTDIR) return;
+    if (error) fail(command.front(), error);
+    process_ = process;
+    input_ = ends[1];
+    started_ = true;
+}
+
+FedProcess::~FedProcess() {
+    close();
+    if (errors_) std::fclose(errors_);
+    std::signal(SIGPIPE, pipeHandler_);
+}
+
+bool FedProcess::feed(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = write(input_, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+bool FedProcess::close() {
+    if (input_ < 0) return false;
+    ::close(input_);
+    input_ = -1;
+    int status = 0;
+    while (waitpid(process_, &status, 0) < 0)
+        if (errno != EINTR) return false;
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+#endif
+
+std::string FedProcess::complaints() const {
+    std::string text;
+    if (!errors_) return text;
+    std::rewind(errors_);
+    for (int c = std::fgetc(errors_); c != EOF; c = std::fgetc(errors_))
+        text += static_cast<char>(c);
+    return text;
+}
+
+}  // namespace sunder::app

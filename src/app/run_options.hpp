@@ -1,0 +1,44 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/renderer.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace sunder::app {
+
+/// The command line of `sunder run`.
+struct RunOptions {
+    std::string scene;
+    std::string solver = "gather";
+    std::optional<int> frames;
+    double fps = 60;
+    std::optional<std::uint64_t> seed;
+    std::string size = "1280x720";
+    std::string out;
+    int pngEvery = 20;
+    std::string video, contactSheet;
+    std::vector<double> sheetTimes;  ///< s
+    std::string mesh = "display";
+    std::string style = "solid";
+    std::string colour = "material";
+    std::string json;
+    std::string state;
+};
+
+/// Adds them to the subcommand; `options` must outlive it.
+void addRunOptions(CLI::App& command, RunOptions& options);
+
+/// What CLI11 cannot check of one option alone. Throws InputError.
+void checkRunOptions(const RunOptions&);
+
+/// Throws InputError.
+RenderSettings renderSettings(const RunOptions&);
+WallColour wallColour(const RunOptions&);
+
+}  // namespace sunder::app

@@ -1,0 +1,35 @@
+#pragma once
+#include <filesystem>
+
+#include "app/fed_process.hpp"
+#include "image/image.hpp"
+#include "image/temporary_file.hpp"
+
+namespace sunder::app {
+
+/// A video that ffmpeg makes of frames as they come; its ending says which kind. All that goes
+/// wrong, now or later, is an InputError, and then no file is left.
+class VideoFile {
+  public:
+    /// Makes a video of two frames elsewhere and throws it away: what ffmpeg will not do (an
+    /// ending, a size) is known before anything is simulated, and so is that it is not installed.
+    static void check(const std::filesystem::path&, int width, int height, double fps);
+
+    VideoFile(const std::filesystem::path&, int width, int height, double fps);
+
+    void add(const Image&);
+    /// The file is there after this.
+    void finish();
+
+  private:
+    VideoFile(const std::filesystem::path& target, const std::filesystem::path& named, int width,
+              int height, double fps);
+    void close();
+    [[noreturn]] void fail();
+
+    std::filesystem::path named_;  ///< in messages
+    TemporaryFile temporary_;      ///< outlives the process that writes it
+    FedProcess ffmpeg_;
+};
+
+}  // namespace sunder::app
