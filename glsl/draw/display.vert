@@ -5,7 +5,7 @@
 #include "physics/links.glsl"
 
 layout(location = 0) in vec3 rest;    // m, world
-layout(location = 1) in uvec2 place_;  // cell, code
+layout(location = 1) in uvec3 owner;  // cell, code, owner of the bond through the face
 
 uniform usamplerBuffer cells;
 uniform samplerBuffer bodies;
@@ -94,19 +94,17 @@ vec3 displacementAt(int c, vec3 u) {
     return sum;
 }
 
-// Whether the bond through the cell's face holds: then nothing can see it.
-bool hidden(int c, uint code, ivec3 strides) {
+// Whether the bond through the vertex's face holds: then nothing can see it.
+bool hidden() {
+    uint code = owner.y;
     if ((code & SUNDER_DISPLAY_FACE_INNER) == 0u) return false;
-    int face = int(code >> SUNDER_DISPLAY_FACE_BIT & 7u), axis = face >> 1;
-    int owner = (face & 1) == 1 ? c : c - strides[axis];
-    return texelFetch(damage, damageStride * owner)[axis] < 1.0;
+    int axis = int(code >> uint(SUNDER_DISPLAY_FACE_BIT + 1) & 3u);
+    return texelFetch(damage, damageStride * int(owner.z))[axis] < 1.0;
 }
 
 void main() {
-    int self = int(place_.x);
-    uint code = place_.y;
-    uvec4 record = texelFetch(cells, self);
-    Lattice lattice = latticeOf(int(record.g));
+    int self = int(owner.x);
+    uint code = owner.y;
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside every view
 #ifndef DEPTH_ONLY
     paintedCell = self;
@@ -114,8 +112,10 @@ void main() {
     surfaceLaw = 0u;
     seed = insideFace = boundaryFace = 0.0;
 #endif
-    if (hidden(self, code, lattice.strides)) return;
+    if (hidden()) return;
 
+    uvec4 record = texelFetch(cells, self);
+    Lattice lattice = latticeOf(int(record.g));
     uint planes = 0u, own = 0u;
     int low = self;
     for (int axis = 0; axis < 3; ++axis) {

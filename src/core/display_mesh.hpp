@@ -8,13 +8,16 @@ namespace sunder {
 
 #include "../../glsl/shared/display_vertex.h"
 
-/// A vertex of the mesh that is seen, as the GPU reads it: 20 bytes.
+/// A vertex of the mesh that is seen, as the GPU reads it: 24 bytes.
 struct DisplayVertex {
     Eigen::Vector3f rest;  ///< m, world
     std::uint32_t cell;    ///< whose section it belongs to
     std::uint32_t code;    ///< SUNDER_DISPLAY_… of glsl/shared/display_vertex.h
+    /// Of an inner face: the cell that owns the bond through it. Nothing sees the face while that
+    /// holds, so it is the first thing to ask.
+    std::uint32_t bondOwner;
 };
-static_assert(sizeof(DisplayVertex) == 20);
+static_assert(sizeof(DisplayVertex) == 24);
 
 /// What a player sees of a world (thesis, chapter 8): for every cell one *section*, a closed volume
 /// of triangles whose torn faces interlock with its neighbours' (DisplayLattice). Made once; while
@@ -42,7 +45,7 @@ class DisplayMesh {
     bool simplified_ = false;
 };
 
-/// 240 MB.
+/// 288 MB.
 inline constexpr std::int64_t kMostDisplayVertices = 12'000'000;
 
 /// Where a vertex is, m, world, in double precision: what the vertex shader computes, for tests.
@@ -53,8 +56,7 @@ inline constexpr std::int64_t kMostDisplayVertices = 12'000'000;
 /// by SUNDER_DISPLAY_GAP of a cell, so that a crack is seen before it opens.
 Vec3 displayedPosition(const World&, const State&, const DisplayVertex&);
 
-/// Whether a vertex belongs to a face that nothing can see: its bond holds, or it is no section's
-/// outside at all.
-bool displayHidden(const World&, const State&, const DisplayVertex&);
+/// Whether a vertex belongs to a face that nothing can see: its bond holds.
+bool displayHidden(const State&, const DisplayVertex&);
 
 }  // namespace sunder

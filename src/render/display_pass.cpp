@@ -53,7 +53,7 @@ DisplayBuffers::DisplayBuffers(const DisplayMesh& mesh)
     glVertexAttribPointer(kRestLocation, 3, GL_FLOAT, GL_FALSE, sizeof(DisplayVertex),
                           offset(offsetof(DisplayVertex, rest)));
     glEnableVertexAttribArray(kPlaceLocation);
-    glVertexAttribIPointer(kPlaceLocation, 2, GL_UNSIGNED_INT, sizeof(DisplayVertex),
+    glVertexAttribIPointer(kPlaceLocation, 3, GL_UNSIGNED_INT, sizeof(DisplayVertex),
                            offset(offsetof(DisplayVertex, cell)));
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);

@@ -151,7 +151,7 @@ TEST_CASE("displayed positions are those of the barycentric coordinates, on a be
         for (std::size_t i = 0; i < moved.size(); ++i) {
             const DisplayVertex& vertex = mesh.vertices()[i];
             const Vec3 onGpu(moved[i].x, moved[i].y, moved[i].z);
-            if (displayHidden(world, state, vertex)) {
+            if (displayHidden(state, vertex)) {
                 REQUIRE(onGpu == Vec3(0, 0, 0));
                 continue;
             }
