@@ -69,7 +69,7 @@ Finish finishOf(int kind, SurfaceLook look, SurfacePoint s, int axis) {
     } else if (kind == SUNDER_SURFACE_CONCRETE) {
         f.layer = inside ? SUNDER_LAYER_CONCRETE_SPLIT : SUNDER_LAYER_CONCRETE;
         f.warmth = inside ? 0.0 : 0.08;
-        f.stain = 0.6;
+        f.stain = 0.38;
     } else if (kind == SUNDER_SURFACE_RUBBER) {
         f.layer = SUNDER_LAYER_RUBBER;
         f.relief = inside ? 3.0 : 1.0;
