@@ -19,6 +19,7 @@ uniform mat4 viewProjection;
 #ifndef DEPTH_ONLY
 flat out int paintedCell;  // for draw/paint.glsl
 out vec3 position;       // m, world
+out vec3 normal;         // of a body's outside, smooth, any length; zero on torn faces, which are flat
 out vec3 place;               // m, at rest, from the body's origin
 flat out uint surfaceLaw;
 flat out float seed;          // 0 to 1, per body
@@ -102,13 +103,43 @@ bool hidden() {
     return texelFetch(damage, damageStride * int(owner.z))[axis] < 1.0;
 }
 
+#ifndef DEPTH_ONLY
+// Of cell c's deformed face (2 * axis + side), a bilinear patch, at u. Its length is a measure of area.
+vec3 patchNormal(int c, int face, vec3 u, vec3 cellSize) {
+    int axis = face >> 1, b = (axis + 1) % 3, e = (axis + 2) % 3;
+    int base = (face & 1) << axis;
+    vec3 d00 = displacementOf(c, base), d10 = displacementOf(c, base | 1 << b);
+    vec3 d01 = displacementOf(c, base | 1 << e), d11 = displacementOf(c, base | 1 << b | 1 << e);
+    vec3 alongB = mix(d10 - d00, d11 - d01, clamp(u[e], 0.0, 1.0));
+    vec3 alongE = mix(d01 - d00, d11 - d10, clamp(u[b], 0.0, 1.0));
+    alongB[b] += cellSize[b];
+    alongE[e] += cellSize[e];
+    vec3 n = cross(alongB, alongE);
+    return (face & 1) == 1 ? n : -n;
+}
+
+// Mean over the cells that share the vertex and lie in the same outside, so that a bent sheet looks bent and not faceted.
+vec3 outsideNormal(int face, uint planes, uint own, uint group, int low, Lattice lattice) {
+    uint across = 1u << uint(face >> 1);
+    vec3 sum = vec3(0.0);
+    for (uint octant = 0u; octant < 8u; ++octant) {
+        if ((octant & ~planes) != 0u || (group >> octant & 1u) == 0u) continue;
+        if ((planes & across) != 0u && octant != own) continue;  // beside a hole: others may go on behind the face
+        ivec3 at = ivec3(octant & 1u, octant >> 1 & 1u, octant >> 2);
+        int c = low + at.x * lattice.strides.x + at.y * lattice.strides.y + at.z * lattice.strides.z;
+        sum += patchNormal(c, face, (rest - texelFetch(restPositions, 8 * c).xyz) / lattice.cellSize, lattice.cellSize);
+    }
+    return sum;
+}
+#endif
+
 void main() {
     int self = int(owner.x);
     uint code = owner.y;
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside every view
 #ifndef DEPTH_ONLY
     paintedCell = self;
-    position = place = vec3(0.0);
+    position = normal = place = vec3(0.0);
     surfaceLaw = 0u;
     seed = insideFace = boundaryFace = 0.0;
 #endif
@@ -153,6 +184,8 @@ void main() {
     gl_Position = viewProjection * vec4(moved, 1.0);
 #ifndef DEPTH_ONLY
     position = moved;
+    if ((code & SUNDER_DISPLAY_FACE_INNER) == 0u)
+        normal = outsideNormal(int(code >> uint(SUNDER_DISPLAY_FACE_BIT) & 7u), planes, own, group, low, lattice);
     surfaceLaw = record.r & SUNDER_CELL_LAW;
     place = rest - texelFetch(restPositions, 8 * lattice.firstCell).xyz;
     seed = fract(0.618034 * float(record.g));

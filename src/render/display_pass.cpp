@@ -29,8 +29,8 @@ gl::ProgramDescription describe(DisplayPass::Output output) {
             description.fragment = "draw/display.frag";
             description.defines = {{"TRANSPARENT", "1"}};
             break;
-        case Output::Positions:
-            description.feedback = {"position"};
+        case Output::Captured:
+            description.feedback = {"position", "normal"};
             break;
     }
     return description;

@@ -36,7 +36,7 @@ class DisplayPass {
         Lines,        ///< one colour, for GL_LINE polygons
         Veil,         ///< of transparent materials, for the shadow map
         Transparent,  ///< inside Transparency::draw()
-        Positions,    ///< captured: `position` of every vertex, m
+        Captured,     ///< of every vertex `position` (m) and `normal`, six floats
     };
     DisplayPass(Output, const gpu::WorldBuffers&, const DisplayBuffers&);
 
