@@ -270,6 +270,26 @@ TEST_CASE("a broken wall of every material covers what it should, in more than o
     }
 }
 
+TEST_CASE("a pane of glass is seen where it is, and less of it once it is shattered", "[display]") {
+    const World world(presetWall("glass", 15));
+    CameraDescription camera;
+    camera.position = {0, 0.6, 2.4};
+    camera.target = {0, 0.6, 0};
+    const glm::vec3 grey(0.2f);
+    const Image empty = cutOut(world, nowhere(world), camera, grey, DrawnMesh::Display);
+    const glm::vec2 low = project(world, camera, {-0.8f, 1.2f, 0.05f});
+    const glm::vec2 high = project(world, camera, {0.8f, 0, 0.05f});
+    const double front = (high.x - low.x) * (high.y - low.y);
+    const auto seen = [&](const State& state) {
+        return differing(cutOut(world, state, camera, grey, DrawnMesh::Display), empty, 2);
+    };
+    const int whole = seen(world.initialState());
+    CHECK(whole == Approx(front).epsilon(0.03));
+    const State shattered = afterFrames(world, 30);
+    CHECK(seen(shattered) < 0.95 * whole);
+    CHECK(seen(shattered) > 0.2 * whole);
+}
+
 TEST_CASE("a crack shows before it opens, and only along the broken bonds", "[display]") {
     const World world(presetWall("concrete", 0));
     const Body& wall = world.bodies()[0];
