@@ -22,7 +22,7 @@ vec2 patternTurn() {
 // Samples are compared with the depth of the surface's own plane where they lie, so that a wide kernel finds no acne and the
 // point hardly has to leave its surface: shadows stay attached to what casts them.
 float sunVisibility(vec3 p, vec3 normal, float cosine) {
-    const int SEARCH_SAMPLES = 8, FILTER_SAMPLES = 16;
+    const int SEARCH_SAMPLES = 6, FILTER_SAMPLES = 12;
     float texel = shadowSize.x / float(textureSize(shadowDepth, 0).x);
     float sine = sqrt(max(0.0, 1.0 - cosine * cosine));
     vec3 s = (shadowMatrix * vec4(p + normal * texel * (0.6 + 1.2 * sine), 1.0)).xyz;
