@@ -4,7 +4,7 @@
 #include "shared/display_vertex.h"
 #include "physics/links.glsl"
 
-layout(location = 0) in vec3 rest;    // m, world
+layout(location = 0) in vec3 start;   // m, world, at rest
 layout(location = 1) in uvec3 owner;  // cell, code, owner of the bond through the face
 
 uniform usamplerBuffer cells;
@@ -13,7 +13,7 @@ uniform samplerBuffer damage;  // of the bonds that each cell owns
 uniform int damageStride;      // texels from one cell's to the next
 uniform samplerBuffer displacements;
 uniform ivec2 displacementStrides;  // texels from one cell's to the next, from one corner's to the next
-uniform samplerBuffer restPositions;
+uniform samplerBuffer rest;
 uniform mat4 viewProjection;
 
 #ifndef DEPTH_ONLY
@@ -127,7 +127,7 @@ vec3 outsideNormal(int face, uint planes, uint own, uint group, int low, Lattice
         if ((planes & across) != 0u && octant != own) continue;  // beside a hole: others may go on behind the face
         ivec3 at = ivec3(octant & 1u, octant >> 1 & 1u, octant >> 2);
         int c = low + at.x * lattice.strides.x + at.y * lattice.strides.y + at.z * lattice.strides.z;
-        sum += patchNormal(c, face, (rest - texelFetch(restPositions, 8 * c).xyz) / lattice.cellSize, lattice.cellSize);
+        sum += patchNormal(c, face, (start - texelFetch(rest, 8 * c).xyz) / lattice.cellSize, lattice.cellSize);
     }
     return sum;
 }
@@ -169,7 +169,7 @@ void main() {
 
     // What has come apart draws back. High octants of an axis: 170 = 0b10101010, 204 and 240.
     const uvec3 HIGH = uvec3(170u, 204u, 240u);
-    vec3 p = rest;
+    vec3 p = start;
     uvec3 high = uvec3(group) & HIGH;
     for (int axis = 0; axis < 3; ++axis) {
         bool outside = (code >> uint(SUNDER_DISPLAY_OUTSIDE_BIT + axis) & 1u) != 0u;
@@ -179,7 +179,7 @@ void main() {
         if (high[axis] == group) p[axis] += gap;
     }
 
-    vec3 u = (p - texelFetch(restPositions, 8 * bound).xyz) / lattice.cellSize;
+    vec3 u = (p - texelFetch(rest, 8 * bound).xyz) / lattice.cellSize;
     vec3 moved = p + displacementAt(bound, u);
     gl_Position = viewProjection * vec4(moved, 1.0);
 #ifndef DEPTH_ONLY
@@ -187,7 +187,7 @@ void main() {
     if ((code & SUNDER_DISPLAY_FACE_INNER) == 0u)
         normal = outsideNormal(int(code >> uint(SUNDER_DISPLAY_FACE_BIT) & 7u), planes, own, group, low, lattice);
     surfaceLaw = record.r & SUNDER_CELL_LAW;
-    place = rest - texelFetch(restPositions, 8 * lattice.firstCell).xyz;
+    place = start - texelFetch(rest, 8 * lattice.firstCell).xyz;
     seed = fract(0.618034 * float(record.g));
     insideFace = (code & SUNDER_DISPLAY_FACE_INNER) != 0u ? 1.0 : 0.0;
     boundaryFace = (code & SUNDER_DISPLAY_FACE_BOUNDARY) != 0u ? 1.0 : 0.0;

@@ -47,8 +47,6 @@ class DisplayPass {
     void drawVertices(const gpu::StateView&) const;
 
   private:
-    void bind(const gpu::StateView&) const;
-
     const gpu::WorldBuffers& buffers_;
     const DisplayBuffers& mesh_;
     gl::Program program_;

@@ -84,18 +84,10 @@ std::vector<Moved> movedVertices(const World& world, const State& state, const D
 
 Image cutOut(const World& world, const State& state, const CameraDescription& camera,
              const glm::vec3& background, DrawnMesh mesh) {
-    gl::Context& context = testContext();
-    const gpu::WorldBuffers buffers(world);
-    gpu::StateUpload upload(world);
-    Renderer renderer(world, buffers);
     RenderSettings settings;
-    settings.width = kWidth;
-    settings.height = kHeight;
     settings.mesh = mesh;
     settings.background = background;
-    Image image = renderer.draw(upload.upload(state), camera, settings);
-    CHECK(context.takeErrors().empty());
-    return image;
+    return picture(world, state, camera, settings);
 }
 
 /// Per pixel: whether anything of the background shows in any sample. Two backgrounds tell, however
