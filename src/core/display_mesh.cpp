@@ -187,18 +187,24 @@ Binding bind(const Vec3& u, int parity) {
 
 }  // namespace
 
-DisplayMesh::DisplayMesh(const World& world) {
+DisplayMesh::DisplayMesh(const World& world, std::int64_t mostVertices) {
     std::vector<IVec3> segments;
     int most = 1;
     for (std::size_t i = 0; i < world.bodies().size(); ++i) {
         segments.push_back(displaySegments(world, static_cast<int>(i)));
         most = std::max(most, segments.back().maxCoeff());
     }
-    while (most > 1 && verticesOf(world, segments, most) > kMostDisplayVertices) {
+    while (most > 1 && verticesOf(world, segments, most) > mostVertices) {
         --most;
         simplified_ = true;
     }
-    vertices_.reserve(verticesOf(world, segments, most));
+    const std::int64_t count = verticesOf(world, segments, most);
+    if (count > mostVertices)
+        throw InputError("the world is too large for its display mesh, which would have " +
+                         std::to_string(count) + " vertices, more than " +
+                         std::to_string(mostVertices) +
+                         "; draw the simulation mesh (--mesh simulation), or use fewer cells");
+    vertices_.reserve(count);
     std::vector<std::uint32_t> transparent;
     for (std::size_t i = 0; i < segments.size(); ++i)
         addBody(world, static_cast<int>(i), most, transparent);

@@ -19,21 +19,25 @@ struct DisplayVertex {
 };
 static_assert(sizeof(DisplayVertex) == 24);
 
+/// 288 MB.
+inline constexpr std::int64_t kMostDisplayVertices = 12'000'000;
+
 /// What a player sees of a world (thesis, chapter 8): for every cell one *section*, a closed volume
 /// of triangles whose torn faces interlock with its neighbours' (DisplayLattice). Made once; while
 /// time runs the vertex shader (glsl/draw/display.vert) moves it by the tetrahedra that its
 /// vertices are bound to.
 class DisplayMesh {
   public:
-    explicit DisplayMesh(const World&);
+    /// Where there would be more than `mostVertices`, cells get fewer edge points. Throws
+    /// InputError where even without any there would be more.
+    explicit DisplayMesh(const World&, std::int64_t mostVertices = kMostDisplayVertices);
 
     const std::vector<DisplayVertex>& vertices() const { return vertices_; }
     /// Three per triangle, anticlockwise seen from outside the section. Opaque cells' come first.
     const std::vector<std::uint32_t>& indices() const { return indices_; }
     /// How many of indices() belong to opaque cells.
     std::size_t opaqueIndices() const { return opaqueIndices_; }
-    /// Whether some cells have fewer edge points than their materials ask for, lest the world's
-    /// mesh exceed kMostDisplayVertices.
+    /// Whether some cells have fewer edge points than their materials ask for.
     bool simplified() const { return simplified_; }
 
   private:
@@ -44,9 +48,6 @@ class DisplayMesh {
     std::size_t opaqueIndices_ = 0;
     bool simplified_ = false;
 };
-
-/// 288 MB.
-inline constexpr std::int64_t kMostDisplayVertices = 12'000'000;
 
 /// Where a vertex is, m, world, in double precision: what the vertex shader computes, for tests.
 ///
