@@ -116,7 +116,7 @@ Bake concreteSplit(vec2 uv) {
 Bake rubber(vec2 uv) {
     float grain = noise(uv * 120.0, ivec2(120), 1);
     float dust = octaves(uv, ivec2(5, 5), 5, 2);
-    return Bake(1.0 + 0.10 * grain + 0.5 * max(dust, -0.2), 0.52 + 0.25 * dust, 1e-3 * (0.16 * grain + 0.4 * dust));
+    return Bake(1.0 + 0.14 * grain + 0.22 * dust, 0.52 + 0.25 * dust, 1e-3 * (0.16 * grain + 0.4 * dust));
 }
 
 // Brightness is the clouds' density.

@@ -5,6 +5,7 @@
 uniform vec3 eye;
 
 in vec3 position;
+in vec3 normal;
 in vec3 place;
 flat in uint surfaceLaw;
 flat in float seed;
@@ -13,7 +14,8 @@ flat in float insideFace;
 flat in float boundaryFace;
 
 void main() {
-    vec3 n = normalize(cross(dFdx(position), dFdy(position)));  // flat: torn faces are
+    vec3 n = normalize(cross(dFdx(position), dFdy(position)));
+    if (insideFace == 0.0 && dot(normal, n) > 0.0) n = normalize(normal);
     vec4 lit = painted ? vec4(paintedLight(paintedCell, position, n), 1.0)
                        : shade(SurfacePoint(position, n, place, surfaceLaw, insideFace, boundaryFace, seed), eye);
     writeColour(lit, distance(eye, position), !painted);

@@ -4,8 +4,8 @@
 #include "shared/display_vertex.h"
 #include "physics/links.glsl"
 
-layout(location = 0) in vec3 rest;    // m, world
-layout(location = 1) in uvec2 place_;  // cell, code
+layout(location = 0) in vec3 start;   // m, world, at rest
+layout(location = 1) in uvec3 owner;  // cell, code, owner of the bond through the face
 
 uniform usamplerBuffer cells;
 uniform samplerBuffer bodies;
@@ -13,12 +13,13 @@ uniform samplerBuffer damage;  // of the bonds that each cell owns
 uniform int damageStride;      // texels from one cell's to the next
 uniform samplerBuffer displacements;
 uniform ivec2 displacementStrides;  // texels from one cell's to the next, from one corner's to the next
-uniform samplerBuffer restPositions;
+uniform samplerBuffer rest;
 uniform mat4 viewProjection;
 
 #ifndef DEPTH_ONLY
 flat out int paintedCell;  // for draw/paint.glsl
 out vec3 position;       // m, world
+out vec3 normal;         // of a body's outside, smooth, any length; zero on torn faces, which are flat
 out vec3 place;               // m, at rest, from the body's origin
 flat out uint surfaceLaw;
 flat out float seed;          // 0 to 1, per body
@@ -94,28 +95,58 @@ vec3 displacementAt(int c, vec3 u) {
     return sum;
 }
 
-// Whether the bond through the cell's face holds: then nothing can see it.
-bool hidden(int c, uint code, ivec3 strides) {
+// Whether the bond through the vertex's face holds: then nothing can see it.
+bool hidden() {
+    uint code = owner.y;
     if ((code & SUNDER_DISPLAY_FACE_INNER) == 0u) return false;
-    int face = int(code >> SUNDER_DISPLAY_FACE_BIT & 7u), axis = face >> 1;
-    int owner = (face & 1) == 1 ? c : c - strides[axis];
-    return texelFetch(damage, damageStride * owner)[axis] < 1.0;
+    int axis = int(code >> uint(SUNDER_DISPLAY_FACE_BIT + 1) & 3u);
+    return texelFetch(damage, damageStride * int(owner.z))[axis] < 1.0;
 }
 
+#ifndef DEPTH_ONLY
+// Of cell c's deformed face (2 * axis + side), a bilinear patch, at u. Its length is a measure of area.
+vec3 patchNormal(int c, int face, vec3 u, vec3 cellSize) {
+    int axis = face >> 1, b = (axis + 1) % 3, e = (axis + 2) % 3;
+    int base = (face & 1) << axis;
+    vec3 d00 = displacementOf(c, base), d10 = displacementOf(c, base | 1 << b);
+    vec3 d01 = displacementOf(c, base | 1 << e), d11 = displacementOf(c, base | 1 << b | 1 << e);
+    vec3 alongB = mix(d10 - d00, d11 - d01, clamp(u[e], 0.0, 1.0));
+    vec3 alongE = mix(d01 - d00, d11 - d10, clamp(u[b], 0.0, 1.0));
+    alongB[b] += cellSize[b];
+    alongE[e] += cellSize[e];
+    vec3 n = cross(alongB, alongE);
+    return (face & 1) == 1 ? n : -n;
+}
+
+// Mean over the cells that share the vertex and lie in the same outside, so that a bent sheet looks bent and not faceted.
+vec3 outsideNormal(int face, uint planes, uint own, uint group, int low, Lattice lattice) {
+    uint across = 1u << uint(face >> 1);
+    vec3 sum = vec3(0.0);
+    for (uint octant = 0u; octant < 8u; ++octant) {
+        if ((octant & ~planes) != 0u || (group >> octant & 1u) == 0u) continue;
+        if ((planes & across) != 0u && octant != own) continue;  // beside a hole: others may go on behind the face
+        ivec3 at = ivec3(octant & 1u, octant >> 1 & 1u, octant >> 2);
+        int c = low + at.x * lattice.strides.x + at.y * lattice.strides.y + at.z * lattice.strides.z;
+        sum += patchNormal(c, face, (start - texelFetch(rest, 8 * c).xyz) / lattice.cellSize, lattice.cellSize);
+    }
+    return sum;
+}
+#endif
+
 void main() {
-    int self = int(place_.x);
-    uint code = place_.y;
-    uvec4 record = texelFetch(cells, self);
-    Lattice lattice = latticeOf(int(record.g));
+    int self = int(owner.x);
+    uint code = owner.y;
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside every view
 #ifndef DEPTH_ONLY
     paintedCell = self;
-    position = place = vec3(0.0);
+    position = normal = place = vec3(0.0);
     surfaceLaw = 0u;
     seed = insideFace = boundaryFace = 0.0;
 #endif
-    if (hidden(self, code, lattice.strides)) return;
+    if (hidden()) return;
 
+    uvec4 record = texelFetch(cells, self);
+    Lattice lattice = latticeOf(int(record.g));
     uint planes = 0u, own = 0u;
     int low = self;
     for (int axis = 0; axis < 3; ++axis) {
@@ -138,7 +169,7 @@ void main() {
 
     // What has come apart draws back. High octants of an axis: 170 = 0b10101010, 204 and 240.
     const uvec3 HIGH = uvec3(170u, 204u, 240u);
-    vec3 p = rest;
+    vec3 p = start;
     uvec3 high = uvec3(group) & HIGH;
     for (int axis = 0; axis < 3; ++axis) {
         bool outside = (code >> uint(SUNDER_DISPLAY_OUTSIDE_BIT + axis) & 1u) != 0u;
@@ -148,13 +179,15 @@ void main() {
         if (high[axis] == group) p[axis] += gap;
     }
 
-    vec3 u = (p - texelFetch(restPositions, 8 * bound).xyz) / lattice.cellSize;
+    vec3 u = (p - texelFetch(rest, 8 * bound).xyz) / lattice.cellSize;
     vec3 moved = p + displacementAt(bound, u);
     gl_Position = viewProjection * vec4(moved, 1.0);
 #ifndef DEPTH_ONLY
     position = moved;
+    if ((code & SUNDER_DISPLAY_FACE_INNER) == 0u)
+        normal = outsideNormal(int(code >> uint(SUNDER_DISPLAY_FACE_BIT) & 7u), planes, own, group, low, lattice);
     surfaceLaw = record.r & SUNDER_CELL_LAW;
-    place = rest - texelFetch(restPositions, 8 * lattice.firstCell).xyz;
+    place = start - texelFetch(rest, 8 * lattice.firstCell).xyz;
     seed = fract(0.618034 * float(record.g));
     insideFace = (code & SUNDER_DISPLAY_FACE_INNER) != 0u ? 1.0 : 0.0;
     boundaryFace = (code & SUNDER_DISPLAY_FACE_BOUNDARY) != 0u ? 1.0 : 0.0;

@@ -22,7 +22,7 @@ vec2 patternTurn() {
 // Samples are compared with the depth of the surface's own plane where they lie, so that a wide kernel finds no acne and the
 // point hardly has to leave its surface: shadows stay attached to what casts them.
 float sunVisibility(vec3 p, vec3 normal, float cosine) {
-    const int SEARCH_SAMPLES = 12, FILTER_SAMPLES = 20;
+    const int SEARCH_SAMPLES = 6, FILTER_SAMPLES = 12;
     float texel = shadowSize.x / float(textureSize(shadowDepth, 0).x);
     float sine = sqrt(max(0.0, 1.0 - cosine * cosine));
     vec3 s = (shadowMatrix * vec4(p + normal * texel * (0.6 + 1.2 * sine), 1.0)).xyz;
@@ -43,15 +43,15 @@ float sunVisibility(vec3 p, vec3 normal, float cosine) {
         blockers += blocks;
         depths += blocks * depth;
     }
-    if (blockers == 0.0) return passes;
-    if (blockers == float(SEARCH_SAMPLES)) return 0.0;
-
-    float distance = (s.z - depths / blockers) * shadowSize.y;
+    float distance = (s.z - depths / max(blockers, 1.0)) * shadowSize.y;
     float radius = clamp(SUN_TANGENT * distance, 1.5 * texel, MOST_BLUR) / shadowSize.x;
+    // Where all samples agree, which is almost everywhere, there is nothing to filter. A loop that ends at once, not a branch:
+    // Mesa's software driver computes both sides of a branch.
+    int samples = blockers == 0.0 || blockers == float(SEARCH_SAMPLES) ? 0 : FILTER_SAMPLES;
     float lit = 0.0;
-    for (int i = 0; i < FILTER_SAMPLES; ++i, direction = GOLDEN_TURN * direction) {
+    for (int i = 0; i < samples; ++i, direction = GOLDEN_TURN * direction) {
         vec2 offset = radius * sqrt((float(i) + 0.5) / float(FILTER_SAMPLES)) * direction;
         lit += texture(shadowMap, vec3(s.xy + offset, s.z + dot(slope, offset)));
     }
-    return passes * lit / float(FILTER_SAMPLES);
+    return passes * (samples == 0 ? 1.0 - step(1.0, blockers) : lit / float(samples));
 }

@@ -1,4 +1,5 @@
-// One triangle that covers the screen. Directions are differences of far and near points, so no camera position is needed.
+// One triangle that covers the screen, as far away as depth goes. Directions are differences of far and near points, so no camera
+// position is needed.
 uniform mat4 inverseViewProjection;
 
 out vec3 direction;

@@ -69,7 +69,7 @@ Finish finishOf(int kind, SurfaceLook look, SurfacePoint s, int axis) {
     } else if (kind == SUNDER_SURFACE_CONCRETE) {
         f.layer = inside ? SUNDER_LAYER_CONCRETE_SPLIT : SUNDER_LAYER_CONCRETE;
         f.warmth = inside ? 0.0 : 0.08;
-        f.stain = 0.6;
+        f.stain = 0.38;
     } else if (kind == SUNDER_SURFACE_RUBBER) {
         f.layer = SUNDER_LAYER_RUBBER;
         f.relief = inside ? 3.0 : 1.0;
@@ -96,8 +96,10 @@ vec3 solid(SurfacePoint s, SurfaceLook look, vec3 view) {
     float wide = wideVariation(chart.uv + 5.0 * s.seed, chart.uvAcross, chart.uvUp);
     bool mortared = kind == SUNDER_SURFACE_BRICK;
     // The same pattern, finer: the ragged edges of bricks, and what mortar stays on a bared one.
-    float ragged = wideVariation(9.0 * chart.uv.yx, 9.0 * chart.uvAcross.yx, 9.0 * chart.uvUp.yx) - 1.0;
-    Joint joint = jointAt(look, s.place, footprint, chart.axis, mortared ? 0.005 * ragged : 0.0);
+    float ragged = mortared ? wideVariation(9.0 * chart.uv.yx, 9.0 * chart.uvAcross.yx, 9.0 * chart.uvUp.yx) - 1.0 : 0.0;
+    bool clustered = int(look.clusters.w) != SUNDER_CLUSTERS_NONE;
+    Joint joint = Joint(0.0, vec3(0.0));
+    if (clustered) joint = jointAt(look, s.place, footprint, chart.axis, 0.005 * ragged);
     if (s.boundary > 0.5) joint = Joint(mortared ? smoothstep(-0.3, -0.05, ragged) : 0.0, vec3(0.0));
     if (mortared && joint.coverage > 0.5) layer = float(surfaceLayers[SUNDER_LAYER_MORTAR]);
     vec4 texel = textureGrad(surfaces, vec3(uv + random.xy, layer), across, up);

@@ -5,10 +5,12 @@
 uniform sampler2DArray surfaces;
 uniform int surfaceLayers[SUNDER_SURFACE_LAYERS];  // where each is in the array; only those that the world needs are there
 
-// Slow variation from 0 to 2, 1 on average, over coordinates in m: what keeps the repeating of a layer from being seen.
+// Slow variation from 0 to 2, 1 on average, over coordinates in m: what keeps the repeating of a layer from being seen. It has no
+// fine detail that would be worth an anisotropic fetch.
 float wideVariation(vec2 p, vec2 across, vec2 up) {
     const float SIZE = 2.7;  // m
-    return 2.0 * textureGrad(surfaces, vec3(p / SIZE, surfaceLayers[SUNDER_LAYER_CLOUDS]), across / SIZE, up / SIZE).r;
+    float texels = max(length(across), length(up)) * float(textureSize(surfaces, 0).x) / SIZE;
+    return 2.0 * textureLod(surfaces, vec3(p / SIZE, surfaceLayers[SUNDER_LAYER_CLOUDS]), log2(max(texels, 1e-6))).r;
 }
 
 // m, what a layer covers before it repeats.

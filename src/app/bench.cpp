@@ -149,16 +149,21 @@ class Bench {
             std::cout << '\n' << breakingText(whole) << '\n' << memoryText(whole);
         if (!report_.drawn.empty())
             std::cout << "\nDrawn in 1280x720 with shadows and four samples, not read back.\n"
-                      << drawingText(report_.drawn, *report_.msDisplayMeshBuild, whole);
+                      << drawingText(report_.drawn, *report_.msDisplayMeshBuild);
         std::cout << std::endl;
     }
 
     /// What drawing costs beside simulating.
     void measurePictures(Contest& contest, const Scene& scene) {
         if (!context_) return;
-        const World& world = contest.world();
-        report_.drawn = {measureDrawing(scene, world, world.initialState(), "intact", limits_),
-                         measureDrawing(scene, world, contest.stateAfter(30), "broken", limits_)};
+        Contest gather(scene, {{&findSolver("gather"), 1}}, limits_, context_.get());
+        const auto measure = [&](const std::string& name, const State& state) {
+            DrawingResult& result = report_.drawn.emplace_back(
+                measureDrawing(scene, contest.world(), state, name, limits_));
+            result.msGather = gather.measure("drawn", state).front().msPerFrame();
+        };
+        measure("intact", contest.world().initialState());
+        measure("broken", contest.stateAfter(30));
         report_.msDisplayMeshBuild = measureDisplayMeshBuild(limits_);
     }
 

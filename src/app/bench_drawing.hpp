@@ -14,7 +14,6 @@ DrawingResult measureDrawing(const Scene&, const World&, const State&, const std
 /// ms, median: making the display mesh of a wooden wall of 2,000 cells.
 double measureDisplayMeshBuild(const BenchLimits&);
 
-std::string drawingText(const std::vector<DrawingResult>&, double msBuild,
-                        const Results& simulated);
+std::string drawingText(const std::vector<DrawingResult>&, double msBuild);
 
 }  // namespace sunder::app

@@ -100,7 +100,8 @@ std::string benchJson(const BenchReport& report) {
                          {"vertices", result.vertices},
                          {"triangles", result.triangles},
                          {"ms_display", result.msDisplay},
-                         {"ms_simulation", result.msSimulation}});
+                         {"ms_simulation", result.msSimulation},
+                         {"ms_gather", result.msGather}});
     const ordered_json json = {{"machine", report.processor},
                                {"cores", report.cores},
                                {"gl_renderer", report.renderer},

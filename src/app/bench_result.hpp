@@ -54,6 +54,7 @@ struct DrawingResult {
     int bodies = 0, cells = 0;
     std::size_t vertices = 0, triangles = 0;  ///< of the display mesh
     double msDisplay = 0, msSimulation = 0;   ///< per picture of either mesh
+    double msGather = 0;                      ///< that `gather` simulates 1/60 s from there
 };
 
 struct BenchReport {

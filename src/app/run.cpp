@@ -49,6 +49,10 @@ class FramePainter {
           colours_(world),
           settings_(settings) {
         settings_.colours = &colours_;
+        if (settings.mesh == DrawnMesh::Display && renderer_.displayMesh().simplified())
+            std::cerr << "sunder: note: torn edges have fewer points than the materials ask for, "
+                         "or they would be more than "
+                      << kMostDisplayVertices << " vertices\n";
     }
 
     Frame draw(int number, double time) {

@@ -35,16 +35,20 @@ class FaceBuilder {
         const IVec3& n = lattice_.segments();
         const int axis = face / 2, side = face & 1, b = (axis + 1) % 3, c = (axis + 2) % 3;
         const std::uint32_t first = static_cast<std::uint32_t>(vertices.size());
+        const std::uint32_t cell = static_cast<std::uint32_t>(body_.cellAt(cell_));
         const std::uint32_t faceCode = codeOfFace(axis, side);
+        IVec3 low = cell_;
+        low[axis] -= 1 - side;
+        const bool inner = faceCode & SUNDER_DISPLAY_FACE_INNER;
+        const std::uint32_t owner = inner ? static_cast<std::uint32_t>(body_.cellAt(low)) : cell;
         IVec3 p;
         p[axis] = (cell_[axis] + side) * n[axis];
         for (int j = 0; j <= n[b]; ++j)
             for (int k = 0; k <= n[c]; ++k) {
                 p[b] = cell_[b] * n[b] + j;
                 p[c] = cell_[c] * n[c] + k;
-                vertices.push_back({(body_.origin + lattice_.position(p)).cast<float>(),
-                                    static_cast<std::uint32_t>(body_.cellAt(cell_)),
-                                    faceCode | codeOfPoint(p)});
+                vertices.push_back({(body_.origin + lattice_.position(p)).cast<float>(), cell,
+                                    faceCode | codeOfPoint(p), owner});
             }
         const auto at = [&](int j, int k) {
             return first + static_cast<std::uint32_t>(j * (n[c] + 1) + k);
@@ -183,18 +187,24 @@ Binding bind(const Vec3& u, int parity) {
 
 }  // namespace
 
-DisplayMesh::DisplayMesh(const World& world) {
+DisplayMesh::DisplayMesh(const World& world, std::int64_t mostVertices) {
     std::vector<IVec3> segments;
     int most = 1;
     for (std::size_t i = 0; i < world.bodies().size(); ++i) {
         segments.push_back(displaySegments(world, static_cast<int>(i)));
         most = std::max(most, segments.back().maxCoeff());
     }
-    while (most > 1 && verticesOf(world, segments, most) > kMostDisplayVertices) {
+    while (most > 1 && verticesOf(world, segments, most) > mostVertices) {
         --most;
         simplified_ = true;
     }
-    vertices_.reserve(verticesOf(world, segments, most));
+    const std::int64_t count = verticesOf(world, segments, most);
+    if (count > mostVertices)
+        throw InputError("the world is too large for its display mesh, which would have " +
+                         std::to_string(count) + " vertices, more than " +
+                         std::to_string(mostVertices) +
+                         "; draw the simulation mesh (--mesh simulation), or use fewer cells");
+    vertices_.reserve(count);
     std::vector<std::uint32_t> transparent;
     for (std::size_t i = 0; i < segments.size(); ++i)
         addBody(world, static_cast<int>(i), most, transparent);
@@ -244,12 +254,10 @@ Vec3 displayedPosition(const World& world, const State& state, const DisplayVert
     return rest;
 }
 
-bool displayHidden(const World& world, const State& state, const DisplayVertex& vertex) {
-    if (!(vertex.code & SUNDER_DISPLAY_FACE_INNER)) return false;
-    const int face = static_cast<int>(vertex.code >> SUNDER_DISPLAY_FACE_BIT & 7), axis = face / 2;
-    int cell = static_cast<int>(vertex.cell);
-    if (face % 2 == 0) cell = world.neighbour(cell, axis, -1);
-    return state.damage[kBondsPerCell * cell + axis] < 1;
+bool displayHidden(const State& state, const DisplayVertex& vertex) {
+    const std::uint32_t axis = (vertex.code >> SUNDER_DISPLAY_FACE_BIT & 7) / 2;
+    return (vertex.code & SUNDER_DISPLAY_FACE_INNER) &&
+           state.damage[std::size_t{kBondsPerCell} * vertex.bondOwner + axis] < 1;
 }
 
 }  // namespace sunder

@@ -28,15 +28,13 @@ Backdrop::Backdrop(const SceneBounds& bounds, const gl::VertexArray& noAttribute
 void Backdrop::draw(const Camera& camera, const Shading& shading, bool shadowed) const {
     glBindVertexArray(noAttributes_.id());
     glDisable(GL_CULL_FACE);
-    glDisable(GL_DEPTH_TEST);
+    if (bounds_.ground) drawGround(camera, shading, shadowed);
     sky_.use();
     shading.bind(sky_, camera.eye);
     // Without the view's translation: a direction far from the origin would lose its digits.
     setUniform(sky_, "inverseViewProjection",
                glm::inverse(camera.projection * glm::mat4(glm::mat3(camera.view))));
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    glEnable(GL_DEPTH_TEST);
-    if (bounds_.ground) drawGround(camera, shading, shadowed);
 }
 
 void Backdrop::drawGround(const Camera& camera, const Shading& shading, bool shadowed) const {

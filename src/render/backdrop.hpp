@@ -10,7 +10,8 @@ namespace sunder {
 class Backdrop {
   public:
     Backdrop(const SceneBounds&, const gl::VertexArray& noAttributes);
-    /// Draws over everything. Without shadows the ground is in the sun everywhere.
+    /// Draws behind everything that is there already. Without shadows the ground is in the sun
+    /// everywhere.
     void draw(const Camera&, const Shading&, bool shadowed) const;
 
   private:

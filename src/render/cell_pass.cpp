@@ -2,6 +2,7 @@
 
 #include "render/shading.hpp"
 #include "render/uniforms.hpp"
+#include "render/wall_state.hpp"
 
 namespace sunder {
 namespace {
@@ -36,11 +37,7 @@ gl::ProgramDescription describe(CellPass::Output output) {
 CellPass::CellPass(Output output, const gpu::WorldBuffers& buffers,
                    const gl::VertexArray& noAttributes)
     : buffers_(buffers), noAttributes_(noAttributes), program_(describe(output)) {
-    program_.bindSampler("cells", kCellUnit);
-    program_.bindSampler("bodies", kBodyUnit);
-    program_.bindSampler("damage", kBondUnit);
-    program_.bindSampler("displacements", kNodeUnit);
-    program_.bindSampler("rest", kRestUnit);
+    prepareWallState(program_);
     Shading::prepare(program_);
 }
 
@@ -51,13 +48,7 @@ const gl::Program& CellPass::begin() const {
 
 void CellPass::draw(const gpu::StateView& state, const glm::mat4& viewProjection) const {
     setUniform(program_, "viewProjection", viewProjection);
-    gl::bindTexture(kCellUnit, GL_TEXTURE_BUFFER, buffers_.cells());
-    gl::bindTexture(kBodyUnit, GL_TEXTURE_BUFFER, buffers_.bodies());
-    gl::bindTexture(kBondUnit, GL_TEXTURE_BUFFER, *state.damage);
-    glUniform1i(program_.uniform("damageStride"), state.damageStride);
-    gl::bindTexture(kNodeUnit, GL_TEXTURE_BUFFER, *state.displacements);
-    glUniform2i(program_.uniform("displacementStrides"), state.cellStride, state.cornerStride);
-    gl::bindTexture(kRestUnit, GL_TEXTURE_BUFFER, buffers_.rest());
+    bindWallState(program_, buffers_, state);
     glBindVertexArray(noAttributes_.id());
     glDrawArrays(GL_POINTS, 0, 6 * buffers_.cellCount());
 }

@@ -2,6 +2,7 @@
 
 #include "render/shading.hpp"
 #include "render/uniforms.hpp"
+#include "render/wall_state.hpp"
 
 namespace sunder {
 namespace {
@@ -29,8 +30,8 @@ gl::ProgramDescription describe(DisplayPass::Output output) {
             description.fragment = "draw/display.frag";
             description.defines = {{"TRANSPARENT", "1"}};
             break;
-        case Output::Positions:
-            description.feedback = {"position"};
+        case Output::Captured:
+            description.feedback = {"position", "normal"};
             break;
     }
     return description;
@@ -53,7 +54,7 @@ DisplayBuffers::DisplayBuffers(const DisplayMesh& mesh)
     glVertexAttribPointer(kRestLocation, 3, GL_FLOAT, GL_FALSE, sizeof(DisplayVertex),
                           offset(offsetof(DisplayVertex, rest)));
     glEnableVertexAttribArray(kPlaceLocation);
-    glVertexAttribIPointer(kPlaceLocation, 2, GL_UNSIGNED_INT, sizeof(DisplayVertex),
+    glVertexAttribIPointer(kPlaceLocation, 3, GL_UNSIGNED_INT, sizeof(DisplayVertex),
                            offset(offsetof(DisplayVertex, cell)));
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
@@ -74,11 +75,7 @@ void DisplayBuffers::drawVertices() const {
 DisplayPass::DisplayPass(Output output, const gpu::WorldBuffers& buffers,
                          const DisplayBuffers& mesh)
     : buffers_(buffers), mesh_(mesh), program_(describe(output)) {
-    program_.bindSampler("cells", kCellUnit);
-    program_.bindSampler("bodies", kBodyUnit);
-    program_.bindSampler("damage", kBondUnit);
-    program_.bindSampler("displacements", kNodeUnit);
-    program_.bindSampler("restPositions", kRestUnit);
+    prepareWallState(program_);
     Shading::prepare(program_);
 }
 
@@ -90,23 +87,13 @@ const gl::Program& DisplayPass::begin() const {
 void DisplayPass::draw(const gpu::StateView& state, const glm::mat4& viewProjection,
                        DisplayBuffers::Part part) const {
     setUniform(program_, "viewProjection", viewProjection);
-    bind(state);
+    bindWallState(program_, buffers_, state);
     mesh_.draw(part);
 }
 
 void DisplayPass::drawVertices(const gpu::StateView& state) const {
-    bind(state);
+    bindWallState(program_, buffers_, state);
     mesh_.drawVertices();
-}
-
-void DisplayPass::bind(const gpu::StateView& state) const {
-    gl::bindTexture(kCellUnit, GL_TEXTURE_BUFFER, buffers_.cells());
-    gl::bindTexture(kBodyUnit, GL_TEXTURE_BUFFER, buffers_.bodies());
-    gl::bindTexture(kBondUnit, GL_TEXTURE_BUFFER, *state.damage);
-    glUniform1i(program_.uniform("damageStride"), state.damageStride);
-    gl::bindTexture(kNodeUnit, GL_TEXTURE_BUFFER, *state.displacements);
-    glUniform2i(program_.uniform("displacementStrides"), state.cellStride, state.cornerStride);
-    gl::bindTexture(kRestUnit, GL_TEXTURE_BUFFER, buffers_.rest());
 }
 
 }  // namespace sunder

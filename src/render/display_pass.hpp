@@ -36,7 +36,7 @@ class DisplayPass {
         Lines,        ///< one colour, for GL_LINE polygons
         Veil,         ///< of transparent materials, for the shadow map
         Transparent,  ///< inside Transparency::draw()
-        Positions,    ///< captured: `position` of every vertex, m
+        Captured,     ///< of every vertex `position` (m) and `normal`, six floats
     };
     DisplayPass(Output, const gpu::WorldBuffers&, const DisplayBuffers&);
 
@@ -47,8 +47,6 @@ class DisplayPass {
     void drawVertices(const gpu::StateView&) const;
 
   private:
-    void bind(const gpu::StateView&) const;
-
     const gpu::WorldBuffers& buffers_;
     const DisplayBuffers& mesh_;
     gl::Program program_;

@@ -27,6 +27,7 @@ void requireComplete(int width, int height) {
 }
 
 gl::Texture makeSamples(int width, int height, int samples, GLenum format) {
+    if (samples == 1) return gl::makeTexture2D(width, height, format, "picture");
     GLuint id = 0;
     glGenTextures(1, &id);
     gl::Texture texture(id);
@@ -54,10 +55,8 @@ PictureTarget::PictureTarget(int width, int height, int samples)
     depth_ = makeSamples(width, height, sampleCount_, GL_DEPTH_COMPONENT32F);
     drawn_ = gl::makeFramebuffer();
     glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE,
-                           colour_.id(), 0);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D_MULTISAMPLE,
-                           depth_.id(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, textureTarget(), colour_.id(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, textureTarget(), depth_.id(), 0);
     requireComplete(width, height);
 
     resolved_ = gl::makeTexture2D(width, height, GL_SRGB8_ALPHA8, "picture");

@@ -6,7 +6,9 @@
 
 namespace sunder {
 
-/// A multisample texture. Throws InputError when the device has no room for it.
+/// A texture to draw into: of so many samples (GL_TEXTURE_2D_MULTISAMPLE), or plain (GL_TEXTURE_2D)
+/// for one, as drivers round a multisample texture's one up. Throws InputError when the device has
+/// no room for it.
 gl::Texture makeSamples(int width, int height, int samples, GLenum format);
 /// Throws InputError when the device cannot draw to the bound framebuffer, of that size.
 void requireComplete(int width, int height);
@@ -27,6 +29,10 @@ class PictureTarget {
     int height() const { return height_; }
     /// What the device has of the samples asked for.
     int sampleCount() const { return sampleCount_; }
+    /// Of its textures.
+    GLenum textureTarget() const {
+        return sampleCount_ > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+    }
     const gl::Texture& depth() const { return depth_; }
 
     /// Binds the multisampled framebuffer, cleared to a linear colour, and its viewport.

@@ -121,17 +121,21 @@ struct Renderer::Impl {
         glDisable(GL_DEPTH_CLAMP);
     }
 
-    void drawSolid(const gpu::StateView& state, const Camera& camera, const Walls& walls,
-                   bool wire) {
+    void drawOpaque(const gpu::StateView& state, const Camera& camera, const Walls& walls,
+                    bool wire) const {
         glEnable(GL_CULL_FACE);
         walls.drawOpaque(state, camera, shading, wire);
         if (objects) {
             shading.bind(objects->shaded.begin(), camera.eye);
             objects->shaded.draw(state, camera.viewProjection());
         }
-        if (transparency)
-            transparency->draw(target,
-                               [&] { walls.drawTransparent(state, camera, shading, wire); });
+    }
+
+    void drawTransparent(const gpu::StateView& state, const Camera& camera, const Walls& walls,
+                         bool wire) {
+        if (!transparency) return;
+        glEnable(GL_CULL_FACE);
+        transparency->draw(target, [&] { walls.drawTransparent(state, camera, shading, wire); });
     }
 
     /// Lines hide nothing, so that the far side shows through.
@@ -170,18 +174,24 @@ void Renderer::render(const gpu::StateView& state, const CameraDescription& desc
     const DrawingState drawing;
     const Walls& walls = impl.walls(settings.mesh);
     const bool solid = settings.style != DrawStyle::Wireframe;
+    const bool wire = settings.style == DrawStyle::Overlay;
     if (solid) {
         const gpu::TimedPass timed(settings.timer, "shadows");
         impl.drawShadows(state, walls);
     }
-    {
-        const gpu::TimedPass timed(settings.timer, "sky and ground");
-        impl.target.begin(settings.background.value_or(glm::vec3(0)));
-        if (!settings.background) impl.backdrop.draw(camera, impl.shading, solid);
+    impl.target.begin(settings.background.value_or(glm::vec3(0)));
+    // The background comes late: what is hidden costs nothing.
+    if (solid) {
+        const gpu::TimedPass timed(settings.timer, "walls");
+        impl.drawOpaque(state, camera, walls, wire);
     }
-    const gpu::TimedPass timed(settings.timer, "walls");
+    if (!settings.background) {
+        const gpu::TimedPass timed(settings.timer, "sky and ground");
+        impl.backdrop.draw(camera, impl.shading, solid);
+    }
+    const gpu::TimedPass timed(settings.timer, solid ? "glass" : "wireframe");
     if (solid)
-        impl.drawSolid(state, camera, walls, settings.style == DrawStyle::Overlay);
+        impl.drawTransparent(state, camera, walls, wire);
     else
         impl.drawWireframe(state, camera, walls);
     impl.target.resolve();

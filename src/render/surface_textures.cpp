@@ -16,7 +16,7 @@ constexpr int kSide = 512;
 /// Mipmaps, down to 8 x 8: what is smaller has one colour.
 constexpr int kLevels = 6;
 /// More of it shows no difference here.
-constexpr float kAnisotropy = 8;
+constexpr float kAnisotropy = 4;
 
 std::set<int> layersOf(SurfaceKind kind) {
     switch (kind) {

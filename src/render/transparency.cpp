@@ -4,12 +4,7 @@
 
 namespace sunder {
 
-Transparency::Transparency(const gl::VertexArray& noAttributes)
-    : noAttributes_(noAttributes),
-      overlay_({.vertex = "bake/whole.vert", .fragment = "draw/transparent.frag"}) {
-    overlay_.bindSampler("lightSum", kLightSumUnit);
-    overlay_.bindSampler("transmission", kTransmissionUnit);
-}
+Transparency::Transparency(const gl::VertexArray& noAttributes) : noAttributes_(noAttributes) {}
 
 void Transparency::fit(const PictureTarget& target) {
     if (depth_ == target.depth().id()) return;
@@ -17,8 +12,8 @@ void Transparency::fit(const PictureTarget& target) {
     transmission_ = makeSamples(target.width(), target.height(), target.sampleCount(), GL_R16F);
     framebuffer_ = gl::makeFramebuffer();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-    const auto attach = [](GLenum point, const gl::Texture& texture) {
-        glFramebufferTexture2D(GL_FRAMEBUFFER, point, GL_TEXTURE_2D_MULTISAMPLE, texture.id(), 0);
+    const auto attach = [&](GLenum point, const gl::Texture& texture) {
+        glFramebufferTexture2D(GL_FRAMEBUFFER, point, target.textureTarget(), texture.id(), 0);
     };
     attach(GL_COLOR_ATTACHMENT0, light_);
     attach(GL_COLOR_ATTACHMENT1, transmission_);
@@ -27,6 +22,13 @@ void Transparency::fit(const PictureTarget& target) {
     glDrawBuffers(2, kTargets);
     requireComplete(target.width(), target.height());
     depth_ = target.depth().id();
+
+    const char* samples = target.sampleCount() > 1 ? "1" : "0";
+    overlay_ = gl::Program({.vertex = "bake/whole.vert",
+                            .fragment = "draw/transparent.frag",
+                            .defines = {{"SAMPLES", samples}}});
+    overlay_.bindSampler("lightSum", kLightSumUnit);
+    overlay_.bindSampler("transmission", kTransmissionUnit);
 }
 
 void Transparency::draw(const PictureTarget& target, const std::function<void()>& pass) {
@@ -47,8 +49,8 @@ void Transparency::draw(const PictureTarget& target, const std::function<void()>
     glDisable(GL_CULL_FACE);
     glBlendFunc(GL_ONE, GL_SRC_ALPHA);
     overlay_.use();
-    gl::bindTexture(kLightSumUnit, GL_TEXTURE_2D_MULTISAMPLE, light_);
-    gl::bindTexture(kTransmissionUnit, GL_TEXTURE_2D_MULTISAMPLE, transmission_);
+    gl::bindTexture(kLightSumUnit, target.textureTarget(), light_);
+    gl::bindTexture(kTransmissionUnit, target.textureTarget(), transmission_);
     glBindVertexArray(noAttributes_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_BLEND);

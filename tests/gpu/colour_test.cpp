@@ -66,18 +66,10 @@ glm::vec3 colourOf(const CellColours& colours, const World& world, const IVec3& 
 /// Draws the wall in these colours, seen from straight in front.
 Image painted(const World& world, const State& state, const CellColours* colours,
               DrawStyle style = DrawStyle::Solid) {
-    testContext();
-    const gpu::WorldBuffers buffers(world);
-    gpu::StateUpload upload(world);
-    Renderer renderer(world, buffers);
     RenderSettings settings;
-    settings.width = kWidth;
-    settings.height = kHeight;
     settings.style = style;
     settings.colours = colours;
-    const Image image = renderer.draw(upload.upload(state), frontCamera(), settings);
-    CHECK(testContext().takeErrors().empty());
-    return image;
+    return picture(world, state, frontCamera(), settings);
 }
 
 /// In the middle of a cell's front face.

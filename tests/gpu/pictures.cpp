@@ -42,16 +42,13 @@ State nowhere(const World& world) {
 }
 
 Image picture(const World& world, const State& state, const CameraDescription& camera,
-              DrawStyle style, DrawnMesh mesh) {
+              RenderSettings settings) {
     gl::Context& context = testContext();
     const gpu::WorldBuffers buffers(world);
     gpu::StateUpload upload(world);
     Renderer renderer(world, buffers);
-    RenderSettings settings;
     settings.width = kWidth;
     settings.height = kHeight;
-    settings.mesh = mesh;
-    settings.style = style;
     Image image = renderer.draw(upload.upload(state), camera, settings);
     const std::vector<std::string> errors = context.takeErrors();
     CAPTURE(errors);
@@ -59,6 +56,14 @@ Image picture(const World& world, const State& state, const CameraDescription& c
     REQUIRE(image.width == kWidth);
     REQUIRE(image.height == kHeight);
     return image;
+}
+
+Image picture(const World& world, const State& state, const CameraDescription& camera,
+              DrawStyle style, DrawnMesh mesh) {
+    RenderSettings settings;
+    settings.mesh = mesh;
+    settings.style = style;
+    return picture(world, state, camera, settings);
 }
 
 glm::vec2 project(const World& world, const CameraDescription& description, const glm::vec3& p) {

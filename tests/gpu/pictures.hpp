@@ -18,7 +18,9 @@ State shifted(const World& world, const Vec3& by);
 /// Out of every picture: what is left is the background.
 State nowhere(const World& world);
 
-/// Draws and checks that GL found nothing wrong.
+/// Draws, of the size above, and checks that GL found nothing wrong.
+Image picture(const World& world, const State& state, const CameraDescription& camera,
+              RenderSettings settings);
 Image picture(const World& world, const State& state, const CameraDescription& camera,
               DrawStyle style = DrawStyle::Solid, DrawnMesh mesh = DrawnMesh::Simulation);
 /// Pixel coordinates, from the top left, of a point.

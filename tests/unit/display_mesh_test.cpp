@@ -272,6 +272,27 @@ TEST_CASE("the thesis's edge points: as many as the frequency, as far as the amp
     CHECK(most > 0.014);
 }
 
+TEST_CASE("a mesh that would be too large has fewer edge points, or is refused", "[display]") {
+    Material m = softElastic();
+    m.horizEdgeFrequency = m.vertEdgeFrequency = 9;
+    m.horizEdgeAmplitude = m.vertEdgeAmplitude = 0.02;
+    m.avgDisplaySectionWidth = m.avgDisplaySectionHeight = 0.1;
+    const World world(block({3, 3, 1}, m));
+    const DisplayMesh whole(world);
+    CHECK_FALSE(whole.simplified());
+    const std::int64_t size = static_cast<std::int64_t>(whole.vertices().size());
+    CHECK_FALSE(DisplayMesh(world, size).simplified());
+    const DisplayMesh fewer(world, size - 1);
+    CHECK(fewer.simplified());
+    CHECK(fewer.vertices().size() < whole.vertices().size());
+    CHECK(fewer.vertices().size() > whole.vertices().size() / 2);
+    // Bare cells have 24 each.
+    CHECK(DisplayMesh(world, 24 * 9).vertices().size() == 24 * 9);
+    CHECK_THROWS_WITH(
+        DisplayMesh(world, 24 * 9 - 1),
+        Catch::Contains("216 vertices, more than 215") && Catch::Contains("--mesh simulation"));
+}
+
 TEST_CASE("edges differ from front to back: splinters, not a sawn profile", "[display]") {
     Material m = softElastic();
     m.horizEdgeFrequency = m.vertEdgeFrequency = 2;

@@ -66,6 +66,7 @@ TEST_CASE("App: bench writes numbers of every solver it was asked for, and a plo
         CHECK(drawn.at("vertices") >= 24 * scenes::kCells);
         CHECK(drawn.at("ms_display").get<double>() > 0);
         CHECK(drawn.at("ms_simulation").get<double>() > 0);
+        CHECK(drawn.at("ms_gather").get<double>() > 0);
     }
     CHECK(report.at("ms_display_mesh_build").get<double>() > 0);
 
