@@ -112,7 +112,7 @@ void Picker::pickCell(const State& state, int cell, const Vec3& origin, const Ve
         bool hidden = false;
         for (int i = 0; i < 3 && !hidden; ++i) {
             const DisplayVertex& vertex = mesh_.vertices()[mesh_.indices()[triangles_[t] + i]];
-            hidden = displayHidden(world_, state, vertex);
+            hidden = displayHidden(state, vertex);
             if (!hidden) corners[i] = displayedPosition(world_, state, vertex);
         }
         if (hidden) continue;
