@@ -150,6 +150,8 @@ bool Interface::wantsKeyboard() const {
 }
 
 void Interface::mark(const std::string& name) {
+    // A tooltip is a window, after which ImGui knows nothing of the widget any more.
+    letGo_ = ImGui::IsItemDeactivatedAfterEdit();
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     if (!ImGui::IsItemVisible()) return;
     const float d = density();
@@ -183,7 +185,7 @@ bool Interface::checkbox(const std::string& name, const std::string& label, bool
 int Interface::choice(const std::string& name, std::span<const std::string_view> labels, int chosen,
                       std::span<const std::string_view> help) {
     int clicked = -1;
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {length(6), length(4)});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {length(5), length(4)});
     const ImGuiStyle& style = ImGui::GetStyle();
     const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
     for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
@@ -211,7 +213,7 @@ void Interface::label(const char* text, std::string_view help) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", text);
     tooltip(help);
-    ImGui::SameLine(length(72));
+    ImGui::SameLine(length(70));
 }
 
 bool Interface::slider(const std::string& name, double& value, double min, double max,

@@ -53,6 +53,8 @@ class Interface {
                 std::string_view unit, bool logarithmic, std::string_view help);
     /// A heading with room above it.
     void heading(const char* text);
+    /// The widget marked last was changed, and the mouse or keyboard has let go of it now.
+    bool letGo() const { return letGo_; }
     /// Over the last widget, after the mouse has rested on it.
     void tooltip(std::string_view text) const;
 
@@ -61,6 +63,7 @@ class Interface {
 
     gl::Window& window_;
     float scale_ = 0;
+    bool letGo_ = false;
     std::map<std::string, Rectangle> widgets_;
 };
 

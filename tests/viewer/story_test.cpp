@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kPanel = 330;  // pixels, at scale 1
+constexpr int kPanel = 340;  // pixels, at scale 1
 
 /// The panel is there, with its highlighted choices, and the scene beside it is no plain area.
 void checkLooksRight(const sunder::Image& image) {
@@ -227,13 +227,13 @@ TEST_CASE("A material is changed, tuned and saved, and what is saved runs to the
 }
 
 TEST_CASE("A picture has the pixels of the window, and those of `sunder run`", "[viewer]") {
-    const Screen screen(970, 480);
-    ViewerUnderTest viewer(screen, {"glass", "--size", "970x480", "--solver", "cpu"});
+    const Screen screen(970, 640);
+    ViewerUnderTest viewer(screen, {"glass", "--size", "970x640", "--solver", "cpu"});
     viewer.key("r");
     viewer.key("space");
     viewer.key("r");
     REQUIRE(viewer.becomes("paused", true));
-    screen.act("mousemove 5 470");
+    screen.act("mousemove 5 630");
     viewer.freshStatus();
     const sunder::Image window = viewer.keep("40-glass");
     viewer.key("p");
@@ -350,12 +350,8 @@ TEST_CASE(
     CHECK(difference(before, during, 500, 300, 300, 200) < 0.01);
     CHECK(difference(before, during, 340, 10, 600, 60) > 0.3);
 
-    // The sky's colour, whatever it is called: the output of the shader.
     const std::size_t end = text.rfind('}');
-    const std::size_t out = text.find("out vec4 ");
-    REQUIRE(out != std::string::npos);
-    const std::string name = text.substr(out + 9, text.find(';', out) - out - 9);
-    CHECK(write(text.substr(0, end) + name + " = vec4(1, 0, 0, 1);\n}\n").is_null());
+    CHECK(write(text.substr(0, end) + "colour = vec4(1, 0, 0, 1);\n}\n").is_null());
     CHECK(share(viewer.keep("62-red-sky"), 700, 5, 290, 20, 255, 0, 0) > 0.5);
     viewer.quit();
 }

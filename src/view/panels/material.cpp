@@ -155,7 +155,7 @@ void drawChoiceOfMaterial(Session& session, Interface& ui, Draft& draft, bool& a
 }
 
 bool drawFields(Session& session, Interface& ui, Draft& draft) {
-    bool changed = false, open = false, let_go = false;
+    bool changed = false, open = false, done = false;
     for (const MaterialField& field : materialFields()) {
         for (const auto& [first, title] : kGroups) {
             if (field.key != first) continue;
@@ -164,28 +164,27 @@ bool drawFields(Session& session, Interface& ui, Draft& draft) {
                                                       : ImGuiTreeNodeFlags_None);
             ui.mark("group." + std::string(first));
             if (open && first == "young_modulus")
-                let_go |=
-                    drawEnum(ui, "law", "Law", draft.material.law, ConstitutiveLaw::Corotated);
+                done |= drawEnum(ui, "law", "Law", draft.material.law, ConstitutiveLaw::Corotated);
             if (open && first == "max_stress") {
-                let_go |= drawEnum(ui, "fracture", "What breaks", draft.material.fracture,
-                                   FractureMode::Bond);
-                let_go |= drawEnum(ui, "clusters", "Chunks", draft.material.clusters,
-                                   ClusterKind::Planks);
+                done |= drawEnum(ui, "fracture", "What breaks", draft.material.fracture,
+                                 FractureMode::Bond);
+                done |= drawEnum(ui, "clusters", "Chunks", draft.material.clusters,
+                                 ClusterKind::Planks);
             }
             if (open && first == "colour")
-                let_go |=
+                done |=
                     drawEnum(ui, "surface", "Surface", draft.material.surface, SurfaceKind::Glass);
         }
         if (!open) continue;
         changed |= drawField(field, ui, draft.material);
-        let_go |= ImGui::IsItemDeactivatedAfterEdit();
+        done |= ui.letGo();
         if (field.key == "young_modulus") drawLimit(session, draft.index);
     }
     static double waited = 0;  // s
     waited += ImGui::GetIO().DeltaTime;
     const bool live = changed && session.buildTime() < kLive && waited > 2 * session.buildTime();
-    if (live || let_go) waited = 0;
-    return live || let_go;
+    if (live || done) waited = 0;
+    return live || done;
 }
 
 }  // namespace

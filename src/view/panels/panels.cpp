@@ -35,7 +35,7 @@ void drawTabs(Session& session, Interface& ui) {
 }  // namespace
 
 float panelWidth(const Interface& ui) {
-    return ui.length(330);
+    return ui.length(340);
 }
 
 void drawPanels(Session& session, Interface& ui) {

@@ -79,7 +79,7 @@ void drawViewChoices(Session& session, Interface& ui) {
     if (!ImGui::IsAnyItemActive()) scale = settings.interfaceScale;
     ui.label("Letters", "Size of letters, and of all around them");
     ui.slider("interface_scale", scale, 0.5, 4, "x", true, "");
-    if (ImGui::IsItemDeactivatedAfterEdit()) settings.interfaceScale = scale;
+    if (ui.letGo()) settings.interfaceScale = scale;
 }
 
 }  // namespace sunder::view
