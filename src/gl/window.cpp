@@ -95,6 +95,7 @@ class GlfwWindow final : public Window {
         if (wanted == fullScreen()) return;
         if (!wanted) {
             glfwSetWindowMonitor(handle(), nullptr, left_, top_, width_, height_, GLFW_DONT_CARE);
+            glfwFocusWindow(handle());  // where no window manager gives it back
         } else if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
             glfwGetWindowPos(handle(), &left_, &top_);
             const GLFWvidmode* mode = glfwGetVideoMode(monitor);

@@ -159,6 +159,8 @@ void Interface::mark(const std::string& name) {
 }
 
 void Interface::tooltip(std::string_view text) const {
+    // While somebody drags it would hide the value.
+    if (ImGui::IsAnyItemActive()) return;
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
