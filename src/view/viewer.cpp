@@ -210,7 +210,7 @@ class Viewer {
     Controls controls_;
     gpu::PassTimer simulationTimer_{window_.info().software};
     gpu::PassTimer drawingTimer_{window_.info().software};
-    Every diagnosis_{0.25}, shaderLook_{0.5}, status_{0.25};
+    Every diagnosis_{0.25}, shaderLook_{0.5}, status_{0.1};
     std::int64_t frames_ = 0;
 };
 
