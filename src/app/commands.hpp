@@ -15,6 +15,7 @@ enum ExitCode { kDone = 0, kDifferent = 1, kBadInput = 2, kNoContext = 3 };
 using Action = std::function<int()>;
 void addRun(CLI::App& app, Action& chosen);
 void addBench(CLI::App& app, Action& chosen);
+void addCompare(CLI::App& app, Action& chosen);
 void addInfo(CLI::App& app, Action& chosen);
 void addList(CLI::App& app, Action& chosen);
 

@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
     app::Action chosen;
     app::addRun(app, chosen);
     app::addBench(app, chosen);
+    app::addCompare(app, chosen);
     app::addInfo(app, chosen);
     app::addList(app, chosen);
     try {
