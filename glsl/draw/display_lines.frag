@@ -6,5 +6,5 @@ flat in int paintedCell;
 out vec4 colour;
 
 void main() {
-    colour = vec4(paint(paintedCell, vec3(0.02)), 0.5);
+    colour = vec4(paint(paintedCell, vec3(0.02)), 0.28);
 }

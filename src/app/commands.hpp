@@ -16,6 +16,7 @@ using Action = std::function<int()>;
 void addRun(CLI::App& app, Action& chosen);
 void addView(CLI::App& app, Action& chosen);
 void addBench(CLI::App& app, Action& chosen);
+void addCompare(CLI::App& app, Action& chosen);
 void addInfo(CLI::App& app, Action& chosen);
 void addList(CLI::App& app, Action& chosen);
 

@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
     app::addRun(app, chosen);
     app::addView(app, chosen);
     app::addBench(app, chosen);
+    app::addCompare(app, chosen);
     app::addInfo(app, chosen);
     app::addList(app, chosen);
     try {

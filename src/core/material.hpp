@@ -99,17 +99,23 @@ struct Material {
     /// Higher: pieces bounce.
     double restitution = 0.2;
 
-    // --- Display mesh (thesis, chapter 8) ---
-    double avgDisplaySectionWidth =
-        0.3;  ///< m, 0.001 to 100; section width before the random factor
-    double avgDisplaySectionHeight = 0.8;  ///< m, 0.001 to 100
-    double randDisplaySectionWidth = 0;    ///< m, 0 to 100; random width added to sections
-    double randDisplaySectionHeight = 0;   ///< m, 0 to 100
-    double horizEdgeFrequency = 0;         ///< 1, 0 to 20; edge points added on a horizontal edge
-    double horizEdgeAmplitude = 0;         ///< m, 0 to 100; size of the added edge polygons
-    double vertEdgeFrequency = 0;          ///< 1, 0 to 20
-    double vertEdgeAmplitude = 0;          ///< m, 0 to 100
-
+    // --- Display mesh (thesis, chapter 8; core/display_lattice.hpp): a section per cell ---
+    /// m, 0.001 to 100. On this length of a horizontal (width) or vertical (height) edge come the
+    /// edge points below; the size of the cells, as in the thesis: on each section's edge. Smaller:
+    /// finer splinters.
+    double avgDisplaySectionWidth = 0.3;
+    double avgDisplaySectionHeight = 0.8;
+    /// m, 0 to 100. Corners of sections move at random by up to half of this each way, and by less
+    /// where cells are small. Larger: less regular.
+    double randDisplaySectionWidth = 0;
+    double randDisplaySectionHeight = 0;
+    /// 1, 0 to 20, rounded: points on a horizontal edge, and how far they zig-zag up and down, m, 0
+    /// to 100, at most 0.45 of a cell. More, longer: more splinters, longer ones.
+    double horizEdgeFrequency = 0;
+    double horizEdgeAmplitude = 0;
+    /// The same on vertical edges, sideways.
+    double vertEdgeFrequency = 0;
+    double vertEdgeAmplitude = 0;
     /// m, 0 to 1: mortar between bricks, groove between planks. Broken edges along a boundary of
     /// running-bond or planks stay within it, however large the amplitudes.
     double jointWidth = 0;

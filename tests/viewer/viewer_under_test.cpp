@@ -60,9 +60,10 @@ ViewerUnderTest::Json ViewerUnderTest::status() {
 }
 
 ViewerUnderTest::Json ViewerUnderTest::freshStatus() {
-    // The first one that comes may be of a frame that began before.
+    // The first one that comes may be of a frame that began before; the second has what happened,
+    // but the window is laid out for it in the third.
     const std::size_t seen = eventCount("status");
-    REQUIRE(eventually([&] { return eventCount("status") >= seen + 2 || !running(); }));
+    REQUIRE(eventually([&] { return eventCount("status") >= seen + 3 || !running(); }));
     const Json now = status();
     INFO(output());
     REQUIRE(running());
@@ -72,6 +73,7 @@ ViewerUnderTest::Json ViewerUnderTest::freshStatus() {
 void ViewerUnderTest::clickAt(const std::string& widget, double x, double y) {
     INFO("widget " << widget);
     // It may come with a frame that is still being drawn.
+    freshStatus();
     Json place;
     REQUIRE(eventually([&] {
         const Json widgets = status()["widgets"];

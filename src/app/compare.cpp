@@ -1,0 +1,124 @@
+// sunder compare: are two pictures alike, as a person would say?
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/bench_table.hpp"
+#include "app/commands.hpp"
+#include "app/output_path.hpp"
+#include "core/types.hpp"
+#include "image/comparison.hpp"
+
+namespace sunder::app {
+namespace {
+
+struct CompareOptions {
+    std::string first, second, json, difference;
+    ComparisonLimits limits;
+};
+
+std::string percent(double share) {
+    return shortNumber(100 * share) + " %";
+}
+
+std::string toJson(const CompareOptions& options, const Image& a, const Comparison& c) {
+    const nlohmann::ordered_json report = {{"alike", c.alike(options.limits)},
+                                           {"width", a.width},
+                                           {"height", a.height},
+                                           {"share", c.share},
+                                           {"mean", c.mean},
+                                           {"largest", c.largest},
+                                           {"worst_window",
+                                            {{"x", c.windowX},
+                                             {"y", c.windowY},
+                                             {"width", c.windowWidth},
+                                             {"height", c.windowHeight},
+                                             {"share", c.windowShare}}},
+                                           {"limits",
+                                            {{"threshold", options.limits.threshold},
+                                             {"share", options.limits.share},
+                                             {"window", options.limits.window},
+                                             {"mean", options.limits.mean}}}};
+    return report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+int compareFiles(const CompareOptions& options) {
+    for (const std::string& path : {options.json, options.difference}) checkWritable(path);
+    const Image a = readPng(options.first), b = readPng(options.second);
+    if (a.width != b.width || a.height != b.height) {
+        std::cout << "different: " << options.first << " has " << a.width << " x " << a.height
+                  << " pixels, " << options.second << " has " << b.width << " x " << b.height
+                  << '\n';
+        if (!options.json.empty())
+            writeFileAtomically(
+                options.json,
+                nlohmann::ordered_json{{"alike", false},
+                                       {"sizes", {{a.width, a.height}, {b.width, b.height}}}}
+                        .dump(2) +
+                    "\n");
+        return kDifferent;
+    }
+    const ComparisonLimits& limits = options.limits;
+    const Comparison c = compare(a, b, limits.threshold);
+    const bool alike = c.alike(limits);
+    std::cout << (alike ? "alike" : "different") << ": " << percent(c.share)
+              << " of the pixels differ by more than " << limits.threshold << " of 255 ("
+              << percent(limits.share) << " may), up to " << percent(c.windowShare)
+              << " in a window of " << c.windowWidth << " x " << c.windowHeight << " at "
+              << c.windowX << ", " << c.windowY << " (" << percent(limits.window)
+              << "); mean difference " << shortNumber(c.mean) << " (" << shortNumber(limits.mean)
+              << "), largest " << c.largest << '\n';
+    if (!options.json.empty()) writeFileAtomically(options.json, toJson(options, a, c));
+    if (!options.difference.empty()) writePng(options.difference, differencePicture(a, b, c));
+    return alike ? kDone : kDifferent;
+}
+
+/// CLI::Range lets nan through.
+CLI::Validator within(int low, int high) {
+    return CLI::Validator(
+        [low, high](std::string& text) {
+            double value = 0;
+            if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high)
+                return std::string();
+            return "'" + text + "' is not a number from " + std::to_string(low) + " to " +
+                   std::to_string(high);
+        },
+        "");
+}
+
+}  // namespace
+
+void addCompare(CLI::App& app, Action& chosen) {
+    CLI::App* command = app.add_subcommand(
+        "compare", "Whether two pictures are alike: exit code 0, or 1 where they are not");
+    auto options = std::make_shared<CompareOptions>();
+    command->add_option("a", options->first, "a picture")->required()->type_name("A.png");
+    command->add_option("b", options->second, "another")->required()->type_name("B.png");
+    ComparisonLimits& limits = options->limits;
+    command
+        ->add_option("--threshold", limits.threshold,
+                     "levels of 255 by which a channel of a pixel may differ")
+        ->check(CLI::Range(0, 255))
+        ->capture_default_str();
+    command->add_option("--share", limits.share, "share of all pixels that may differ, 0 to 1")
+        ->check(within(0, 1))
+        ->capture_default_str();
+    command
+        ->add_option("--window", limits.window,
+                     "share of the pixels in any window of 16 x 16 that may differ, 0 to 1")
+        ->check(within(0, 1))
+        ->capture_default_str();
+    command->add_option("--mean", limits.mean, "mean difference allowed, levels, 0 to 255")
+        ->check(within(0, 255))
+        ->capture_default_str();
+    command->add_option("--json", options->json, "write the figures to this file")
+        ->type_name("FILE");
+    command
+        ->add_option("--diff", options->difference,
+                     "write a picture of the differences, times 16, the worst window framed")
+        ->type_name("FILE.png");
+    command->callback(
+        [&chosen, options] { chosen = [options] { return compareFiles(*options); }; });
+}
+
+}  // namespace sunder::app

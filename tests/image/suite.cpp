@@ -1,0 +1,93 @@
+#include "image/suite.hpp"
+
+#include <toml++/toml.h>
+#include <algorithm>
+
+#include "cpu/cpu_solver.hpp"
+#include "gpu/test_context.hpp"
+#include "render/legend.hpp"
+
+using namespace sunder;
+
+namespace {
+
+[[noreturn]] void fail(const toml::node& where, const std::string& problem) {
+    throw InputError("tests/image/suite.toml:" + std::to_string(where.source().begin.line) + ": " +
+                     problem);
+}
+
+template <class T>
+T required(const toml::table& table, const char* key) {
+    if (const auto value = table[key].value<T>()) return *value;
+    fail(table, std::string(key) + " is missing, or of another type");
+}
+
+ComparisonLimits readLimits(const toml::table& table) {
+    return {.threshold = static_cast<int>(required<std::int64_t>(table, "threshold")),
+            .share = required<double>(table, "share"),
+            .window = required<double>(table, "window"),
+            .mean = required<double>(table, "mean")};
+}
+
+/// The position of `table`'s word for `key` among `words`; 0 where it has none.
+int choice(const toml::table& table, const char* key, const std::vector<std::string>& words) {
+    const auto word = table[key].value<std::string>();
+    if (!word) return 0;
+    const auto found = std::find(words.begin(), words.end(), *word);
+    if (found == words.end()) fail(table, std::string(key) + " cannot be '" + *word + "'");
+    return static_cast<int>(found - words.begin());
+}
+
+SuitePicture readPicture(const toml::table& table) {
+    const std::vector<std::string> known{"name", "scene", "frame", "mesh", "style", "colour"};
+    for (const auto& [key, value] : table)
+        if (std::find(known.begin(), known.end(), key.str()) == known.end())
+            fail(value, "unknown key '" + std::string(key.str()) + "'");
+    SuitePicture picture;
+    picture.name = required<std::string>(table, "name");
+    picture.scene = required<std::string>(table, "scene");
+    picture.frame = static_cast<int>(required<std::int64_t>(table, "frame"));
+    picture.settings.width = 480;
+    picture.settings.height = 270;
+    picture.settings.mesh = DrawnMesh{choice(table, "mesh", {"display", "simulation"})};
+    picture.settings.style = DrawStyle{choice(table, "style", {"solid", "wireframe", "overlay"})};
+    std::vector<std::string> colours;
+    for (const WallColour colour : kWallColours) colours.emplace_back(toString(colour));
+    picture.colour = kWallColours[choice(table, "colour", colours)];
+    return picture;
+}
+
+}  // namespace
+
+Suite readSuite(const std::filesystem::path& path) {
+    const toml::table file = toml::parse_file(path.string());
+    Suite suite;
+    const toml::table& baseline = *file["baseline_driver"].as_table();
+    suite.baselineRenderer = required<std::string>(baseline, "renderer");
+    suite.baselineLimits = readLimits(baseline);
+    suite.otherLimits = readLimits(*file["other_drivers"].as_table());
+    for (const toml::node& picture : *file["picture"].as_array())
+        suite.pictures.push_back(readPicture(*picture.as_table()));
+    return suite;
+}
+
+Image drawSuitePicture(const SuitePicture& picture, const std::function<void(Scene&)>& change) {
+    testContext();
+    Scene scene = loadScene(picture.scene);
+    change(scene);
+    const World world(scene.world);
+    CpuSolver solver(world, 0);
+    solver.advance(scene.substeps * picture.frame);
+    const State state = solver.state();
+
+    CellColours colours(world);
+    colours.update(state, picture.colour);
+    const gpu::WorldBuffers buffers(world);
+    gpu::StateUpload upload(world);
+    Renderer renderer(world, buffers);
+    RenderSettings settings = picture.settings;
+    settings.colours = &colours;
+    Image image = renderer.draw(upload.upload(state), scene.camera, settings);
+    drawLegend(image, colours.key());
+    return image;
+}
