@@ -29,7 +29,7 @@ TEST_CASE("rectangles cover a range of texels once each, in order") {
     }
 }
 
-TEST_CASE("a world asleep runs no pass; one body awake runs them all") {
+TEST_CASE("a world asleep runs no pass, one body awake runs them all") {
     testContext();
     WorldDescription d = block({3, 2, 1}, brittle());
     d.bodies.push_back(d.bodies[0]);

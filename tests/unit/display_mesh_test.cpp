@@ -408,7 +408,7 @@ TEST_CASE("an intact wall has no seams when it bends", "[display]") {
     }
 }
 
-TEST_CASE("sections that still hang together around a point share it; others leave it",
+TEST_CASE("sections that still hang together around a point share it, others leave it",
           "[display]") {
     Random random(11);
     for (const int seed : {1, 2, 5, 7}) {

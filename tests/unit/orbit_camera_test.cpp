@@ -49,7 +49,7 @@ TEST_CASE("Orbiting keeps the target and the distance, and never turns over", "[
     CHECK(camera.forward()[1] > 0.99);
 }
 
-TEST_CASE("Zooming in by 2 halves the distance; it stays in front of the target", "[view]") {
+TEST_CASE("Zooming in by 2 halves the distance, and it stays in front of the target", "[view]") {
     OrbitCamera camera(kHome);
     const double distance = camera.distance();
     camera.zoom(2);

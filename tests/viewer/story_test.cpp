@@ -326,7 +326,7 @@ TEST_CASE("What was chosen is chosen the next time", "[viewer]") {
 }
 
 TEST_CASE(
-    "A shader that changes is used at once; a mistake in it is shown, and the old one goes on",
+    "A shader that changes is used at once, a mistake in it is shown, and the old one goes on",
     "[viewer]") {
     const Screen screen(1000, 600);
     const fs::path shaders = screen.folder() / "glsl";
