@@ -1,6 +1,7 @@
 #include "app/run_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <tuple>
 
@@ -18,6 +19,21 @@ std::string checkSeed(const std::string& text) {
     const auto result = std::from_chars(text.data(), end, seed);
     if (result.ec == std::errc() && result.ptr == end) return {};
     return "'" + text + "' is not a whole number from 0 to 18446744073709551615";
+}
+
+/// As the command line calls them.
+template <class Choice, std::size_t Count>
+std::vector<std::string> namesOf(const Choice (&choices)[Count]) {
+    std::vector<std::string> names;
+    for (const Choice choice : choices) names.emplace_back(toString(choice));
+    return names;
+}
+
+/// The one with this name, which CLI11 has found among them.
+template <class Choice, std::size_t Count>
+Choice named(const std::string& name, const Choice (&choices)[Count]) {
+    return *std::find_if(choices, choices + Count,
+                         [&](Choice choice) { return toString(choice) == name; });
 }
 
 /// What is drawn, and where it goes.
@@ -49,19 +65,17 @@ void addPictureOptions(CLI::App& command, RunOptions& options) {
     command
         .add_option("--mesh", options.mesh,
                     "what is drawn of walls: display (torn edges) or simulation (tetrahedra)")
-        ->check(CLI::IsMember({"display", "simulation"}))
+        ->check(CLI::IsMember(namesOf(kDrawnMeshes)))
         ->capture_default_str();
     command
         .add_option("--style", options.style, "how walls are drawn: solid, wireframe or overlay")
-        ->check(CLI::IsMember({"solid", "wireframe", "overlay"}))
+        ->check(CLI::IsMember(namesOf(kDrawStyles)))
         ->capture_default_str();
-    std::vector<std::string> colours;
-    for (const WallColour colour : kWallColours) colours.emplace_back(toString(colour));
     command
         .add_option("--colour", options.colour,
                     "what the colour of walls shows: material, or with a legend stress, speed or "
                     "piece")
-        ->check(CLI::IsMember(colours))
+        ->check(CLI::IsMember(namesOf(kWallColours)))
         ->capture_default_str();
 }
 
@@ -102,16 +116,13 @@ void checkRunOptions(const RunOptions& options) {
 RenderSettings renderSettings(const RunOptions& options) {
     RenderSettings settings;
     std::tie(settings.width, settings.height) = parsePictureSize(options.size);
-    if (options.mesh == "simulation") settings.mesh = DrawnMesh::Simulation;
-    if (options.style == "wireframe") settings.style = DrawStyle::Wireframe;
-    if (options.style == "overlay") settings.style = DrawStyle::Overlay;
+    settings.mesh = named(options.mesh, kDrawnMeshes);
+    settings.style = named(options.style, kDrawStyles);
     return settings;
 }
 
 WallColour wallColour(const RunOptions& options) {
-    for (const WallColour colour : kWallColours)
-        if (toString(colour) == options.colour) return colour;
-    return WallColour::Material;
+    return named(options.colour, kWallColours);
 }
 
 }  // namespace sunder::app

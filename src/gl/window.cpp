@@ -1,5 +1,7 @@
 #include "gl/window.hpp"
 
+#include <glad/gl.h>
+
 #include <algorithm>
 #include <cctype>
 #include <utility>
@@ -205,6 +207,18 @@ class GlfwWindow final : public Window {
 };
 
 }  // namespace
+
+void Window::bind() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glViewport(0, 0, width(), height());
+}
+
+void Window::clear() const {
+    bind();
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
 
 std::unique_ptr<Window> Window::open(const Options& options) {
     return std::make_unique<GlfwWindow>(options);

@@ -91,6 +91,11 @@ class Window : public Context {
     /// Nothing is held once the focus is lost.
     virtual const Input& input() const = 0;
     virtual void swap() = 0;
+    /// Binds its framebuffer, all of it; colours are written as they are, without a conversion to
+    /// sRGB.
+    void bind() const;
+    /// The same, cleared to black.
+    void clear() const;
 
     virtual bool closing() const = 0;
     virtual bool minimised() const = 0;

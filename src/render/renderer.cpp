@@ -153,6 +153,22 @@ struct Renderer::Impl {
     }
 };
 
+std::string_view toString(DrawnMesh mesh) {
+    return mesh == DrawnMesh::Display ? "display" : "simulation";
+}
+
+std::string_view toString(DrawStyle style) {
+    switch (style) {
+        case DrawStyle::Solid:
+            return "solid";
+        case DrawStyle::Wireframe:
+            return "wireframe";
+        case DrawStyle::Overlay:
+            return "overlay";
+    }
+    return "";
+}
+
 Renderer::Renderer(const World& world, const gpu::WorldBuffers& buffers)
     : impl_(std::make_unique<Impl>(world, buffers)) {}
 

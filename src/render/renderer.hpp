@@ -2,6 +2,7 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "core/display_mesh.hpp"
 #include "gpu/world_buffers.hpp"
@@ -21,6 +22,13 @@ enum class DrawStyle {
     Wireframe,  ///< edges of all triangles on an empty background of sky and ground
     Overlay,    ///< solid with the wireframe over it
 };
+
+inline constexpr DrawnMesh kDrawnMeshes[] = {DrawnMesh::Display, DrawnMesh::Simulation};
+inline constexpr DrawStyle kDrawStyles[] = {DrawStyle::Solid, DrawStyle::Wireframe,
+                                            DrawStyle::Overlay};
+/// As the command line calls them.
+std::string_view toString(DrawnMesh);
+std::string_view toString(DrawStyle);
 
 struct RenderSettings {
     int width = 1280, height = 720;

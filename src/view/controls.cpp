@@ -62,11 +62,10 @@ bool pressKey(Session& session, Key key, const gl::Modifiers& with) {
             next(session, "tool", settings.tool, kTools);
             break;
         case 'M':
-            next(session, "mesh", settings.mesh, {DrawnMesh::Display, DrawnMesh::Simulation});
+            next(session, "mesh", settings.mesh, kDrawnMeshes);
             break;
         case 'L':
-            next(session, "style", settings.style,
-                 {DrawStyle::Solid, DrawStyle::Wireframe, DrawStyle::Overlay});
+            next(session, "style", settings.style, kDrawStyles);
             break;
         case 'C':
             next(session, "colour", settings.colour, kWallColours);

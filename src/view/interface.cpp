@@ -1,6 +1,5 @@
 #include "view/interface.hpp"
 
-#include <glad/gl.h>
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
@@ -130,9 +129,7 @@ void Interface::begin(double scale) {
 
 void Interface::draw() {
     ImGui::Render();
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glDisable(GL_FRAMEBUFFER_SRGB);  // its colours are sRGB as they are
-    glViewport(0, 0, window_.width(), window_.height());
+    window_.bind();  // the interface's colours are sRGB already
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 

@@ -14,9 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr DrawnMesh kMeshes[] = {DrawnMesh::Display, DrawnMesh::Simulation};
-constexpr DrawStyle kStyles[] = {DrawStyle::Solid, DrawStyle::Wireframe, DrawStyle::Overlay};
-
 template <class Choice, std::size_t Count>
 void readChoice(const TableReader& reader, std::string_view key, Choice& value,
                 const Choice (&choices)[Count]) {
@@ -50,22 +47,6 @@ std::string_view toString(Tool tool) {
     return "";
 }
 
-std::string_view toString(DrawnMesh mesh) {
-    return mesh == DrawnMesh::Display ? "display" : "simulation";
-}
-
-std::string_view toString(DrawStyle style) {
-    switch (style) {
-        case DrawStyle::Solid:
-            return "solid";
-        case DrawStyle::Wireframe:
-            return "wireframe";
-        case DrawStyle::Overlay:
-            return "overlay";
-    }
-    return "";
-}
-
 fs::path settingsFile() {
 #if defined(_WIN32)
     const fs::path folder = folderFrom("APPDATA", "sunder");
@@ -90,8 +71,8 @@ Settings readSettings(const fs::path& path) {
     std::vector<std::string_view> names;
     for (const SolverInfo& solver : solvers()) names.push_back(solver.name);
     if (const auto index = reader.readChoice("solver", names)) settings.solver = names[*index];
-    readChoice(reader, "mesh", settings.mesh, kMeshes);
-    readChoice(reader, "style", settings.style, kStyles);
+    readChoice(reader, "mesh", settings.mesh, kDrawnMeshes);
+    readChoice(reader, "style", settings.style, kDrawStyles);
     readChoice(reader, "colour", settings.colour, kWallColours);
     readChoice(reader, "tool", settings.tool, kTools);
     reader.read("samples", settings.samples, {1, 8});

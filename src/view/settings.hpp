@@ -10,8 +10,6 @@ namespace sunder::view {
 enum class Tool { Shoot, Push, Pull, Look };
 inline constexpr Tool kTools[] = {Tool::Shoot, Tool::Push, Tool::Pull, Tool::Look};
 std::string_view toString(Tool);
-std::string_view toString(DrawnMesh);
-std::string_view toString(DrawStyle);
 
 /// What the viewer remembers between runs.
 struct Settings {

@@ -133,10 +133,7 @@ class Viewer {
         render.style = settings.style;
         if (settings.colour != WallColour::Material) render.colours = &stage.colours;
         if (session_.measuring) render.timer = &drawingTimer_;
-        glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        glViewport(0, 0, window_.width(), window_.height());
-        glClearColor(0, 0, 0, 1);
-        glClear(GL_COLOR_BUFFER_BIT);
+        window_.clear();
         stage.renderer.render(stage.simulation.view(), session_.camera.description(), render);
         if (session_.pictureWanted()) session_.savePicture(stage.renderer.read());
         if (session_.recording() && !session_.clock.paused())

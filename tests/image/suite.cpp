@@ -29,13 +29,16 @@ ComparisonLimits readLimits(const toml::table& table) {
             .mean = required<double>(table, "mean")};
 }
 
-/// The position of `table`'s word for `key` among `words`; 0 where it has none.
-int choice(const toml::table& table, const char* key, const std::vector<std::string>& words) {
+/// Reads one of `choices` by its name; left as it is where the table does not say.
+template <class Choice, std::size_t Count>
+void readChoice(const toml::table& table, const char* key, Choice& value,
+                const Choice (&choices)[Count]) {
     const auto word = table[key].value<std::string>();
-    if (!word) return 0;
-    const auto found = std::find(words.begin(), words.end(), *word);
-    if (found == words.end()) fail(table, std::string(key) + " cannot be '" + *word + "'");
-    return static_cast<int>(found - words.begin());
+    if (!word) return;
+    const auto found = std::find_if(choices, choices + Count,
+                                    [&](Choice choice) { return toString(choice) == *word; });
+    if (found == choices + Count) fail(table, std::string(key) + " cannot be '" + *word + "'");
+    value = *found;
 }
 
 SuitePicture readPicture(const toml::table& table) {
@@ -49,11 +52,9 @@ SuitePicture readPicture(const toml::table& table) {
     picture.frame = static_cast<int>(required<std::int64_t>(table, "frame"));
     picture.settings.width = 480;
     picture.settings.height = 270;
-    picture.settings.mesh = DrawnMesh{choice(table, "mesh", {"display", "simulation"})};
-    picture.settings.style = DrawStyle{choice(table, "style", {"solid", "wireframe", "overlay"})};
-    std::vector<std::string> colours;
-    for (const WallColour colour : kWallColours) colours.emplace_back(toString(colour));
-    picture.colour = kWallColours[choice(table, "colour", colours)];
+    readChoice(table, "mesh", picture.settings.mesh, kDrawnMeshes);
+    readChoice(table, "style", picture.settings.style, kDrawStyles);
+    readChoice(table, "colour", picture.colour, kWallColours);
     return picture;
 }
 

@@ -39,13 +39,10 @@ void drawViewChoices(Session& session, Interface& ui) {
     drawSolvers(session, ui);
 
     ui.heading("View");
-    drawChoice(session, ui, "mesh", "Mesh", settings.mesh,
-               {DrawnMesh::Display, DrawnMesh::Simulation}, {"Display", "Simulation"});
-    drawChoice(session, ui, "style", "Style", settings.style,
-               {DrawStyle::Solid, DrawStyle::Wireframe, DrawStyle::Overlay},
+    drawChoice(session, ui, "mesh", "Mesh", settings.mesh, kDrawnMeshes, {"Display", "Simulation"});
+    drawChoice(session, ui, "style", "Style", settings.style, kDrawStyles,
                {"Solid", "Wireframe", "Both"});
-    drawChoice(session, ui, "colour", "Colours", settings.colour,
-               {WallColour::Material, WallColour::Stress, WallColour::Speed, WallColour::Piece},
+    drawChoice(session, ui, "colour", "Colours", settings.colour, kWallColours,
                {"Material", "Stress", "Speed", "Pieces"});
     ui.label("Samples", "Antialiasing: samples in each pixel. More: smoother edges, slower.");
     constexpr int kSamples[] = {1, 2, 4, 8};
