@@ -6,7 +6,7 @@
 
 #include "catch.hpp"
 #include "gpu/test_context.hpp"
-#include "image/suite.hpp"
+#include "image/results.hpp"
 
 using namespace sunder;
 namespace fs = std::filesystem;
@@ -14,7 +14,6 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path kFolder = SUNDER_IMAGE_TESTS;
-const fs::path kReport = SUNDER_IMAGE_REPORT;
 
 const Suite& suite() {
     static const Suite read = readSuite(kFolder / "suite.toml");
@@ -39,49 +38,49 @@ fs::path baselineOf(const std::string& name) {
     return kFolder / "baselines" / (name + ".png");
 }
 
-std::string describe(const Comparison& c) {
-    return "share " + std::to_string(c.share) + ", window " + std::to_string(c.windowShare) +
-           " at " + std::to_string(c.windowX) + ", " + std::to_string(c.windowY) + ", mean " +
-           std::to_string(c.mean);
+using Change = std::function<void(Scene&)>;
+
+/// Whether a picture differs from what it was before a change, which is reported.
+bool sees(const std::string& change, const std::string& name, const Image& before,
+          const Image& after) {
+    const Comparison comparison = compare(before, after, limits().threshold);
+    writeControlResult(name, change, comparison, limits());
+    return !comparison.alike(limits());
 }
 
-/// What a person needs to see why: expected, actual and their difference, side by side in a folder.
-void leaveBehind(const std::string& name, const Image& expected, const Image& actual,
-                 const Comparison& comparison) {
-    fs::create_directories(kReport);
-    writePng(kReport / (name + "-expected.png"), expected);
-    writePng(kReport / (name + "-actual.png"), actual);
-    writePng(kReport / (name + "-difference.png"), differencePicture(expected, actual, comparison));
+bool sees(const std::string& change, const std::string& name, const Change& make) {
+    const SuitePicture& picture = pictureNamed(name);
+    return sees(change, name, drawSuitePicture(picture), drawSuitePicture(picture, make));
 }
 
-bool different(const Image& a, const Image& b) {
-    return !compare(a, b, limits().threshold).alike(limits());
+/// Moves the camera to its right by a pixel's width at its target.
+void moveByPixel(Scene& scene, int pictureHeight) {
+    CameraDescription& camera = scene.camera;
+    const Vec3 forward = camera.target - camera.position;
+    const Vec3 right = forward.cross(Vec3(0, 1, 0)).normalized();
+    const double tangent = std::tan(camera.fieldOfView * 3.141592653589793 / 360);
+    const double pixel = 2 * forward.norm() * tangent / pictureHeight;
+    camera.position += pixel * right;
+    camera.target += pixel * right;
 }
 
 }  // namespace
 
+// One picture alone: sunder_image_tests "pictures are what they were" -c NAME
 TEST_CASE("pictures are what they were", "[image]") {
-    for (const SuitePicture& picture : suite().pictures) {
-        INFO(picture.name);
-        if (!fs::exists(baselineOf(picture.name))) {
-            FAIL_CHECK(
-                "there is no baseline; look at the picture and accept it: "
-                "tools/update-baselines "
-                << picture.name);
-            continue;
+    static const bool cleared = (clearPictureResults(), true);
+    REQUIRE(cleared);
+    for (const SuitePicture& picture : suite().pictures) DYNAMIC_SECTION(picture.name) {
+            const PictureResult result =
+                drawAndCompare(picture, baselineOf(picture.name), limits());
+            writePictureResult(picture, result, limits(), onBaselineDriver());
+            CAPTURE(picture.name, result.glErrors);
+            if (!result.holds())
+                FAIL_CHECK(result.verdict << ": " << result.sentence
+                                          << "; look at it with tools/report, and if it is right: "
+                                             "tools/update-baselines "
+                                          << picture.name);
         }
-        const Image expected = readPng(baselineOf(picture.name));
-        const Image actual = drawSuitePicture(picture);
-        CHECK(testContext().takeErrors().empty());
-        REQUIRE(actual.width == expected.width);
-        REQUIRE(actual.height == expected.height);
-        const Comparison comparison = compare(expected, actual, limits().threshold);
-        if (comparison.alike(limits())) continue;
-        leaveBehind(picture.name, expected, actual, comparison);
-        FAIL_CHECK("not the baseline: " << describe(comparison) << "; see " << kReport.string()
-                                        << ", and accept it if it is right: tools/update-baselines "
-                                        << picture.name);
-    }
 }
 
 TEST_CASE("every baseline belongs to a picture", "[image]") {
@@ -95,35 +94,23 @@ TEST_CASE("every baseline belongs to a picture", "[image]") {
 
 TEST_CASE("the comparison sees a camera moved by a pixel", "[image]") {
     for (const char* name : {"wood-broken", "brick-broken", "stress"}) {
-        const SuitePicture& picture = pictureNamed(name);
-        const auto moveCamera = [&](Scene& scene) {
-            CameraDescription& camera = scene.camera;
-            const Vec3 forward = camera.target - camera.position;
-            const Vec3 right = forward.cross(Vec3(0, 1, 0)).normalized();
-            const double tangent = std::tan(camera.fieldOfView * 3.141592653589793 / 360);
-            // A pixel's width at the target.
-            const double pixel = 2 * forward.norm() * tangent / picture.settings.height;
-            camera.position += pixel * right;
-            camera.target += pixel * right;
-        };
         INFO(name);
-        CHECK(different(drawSuitePicture(picture), drawSuitePicture(picture, moveCamera)));
+        const int height = pictureNamed(name).settings.height;
+        CHECK(sees("camera moved by a pixel", name,
+                   [&](Scene& scene) { moveByPixel(scene, height); }));
     }
 }
 
 TEST_CASE("the comparison sees a missing chunk, another material, another seed", "[image]") {
-    const SuitePicture& intact = pictureNamed("wood-intact");
-    const Image before = drawSuitePicture(intact);
-    CHECK_FALSE(different(before, drawSuitePicture(intact)));
-    CHECK(different(before, drawSuitePicture(intact, [](Scene& scene) {
-                        scene.world.bodies[0].regions = {{{20, 15, 0}, {20, 15, 0}, -1}};
-                    })));
-    CHECK(different(before, drawSuitePicture(intact, [](Scene& scene) {
-                        scene.world.materials[0].colour *= 1.25;
-                    })));
-    const SuitePicture& broken = pictureNamed("concrete-broken");
-    CHECK(different(drawSuitePicture(broken),
-                    drawSuitePicture(broken, [](Scene& scene) { scene.world.seed = 2; })));
+    const Image intact = drawSuitePicture(pictureNamed("wood-intact"));
+    CHECK(compare(intact, drawSuitePicture(pictureNamed("wood-intact")), limits().threshold)
+              .alike(limits()));
+    CHECK(sees("a cell missing", "wood-intact", [](Scene& scene) {
+        scene.world.bodies[0].regions = {{{20, 15, 0}, {20, 15, 0}, -1}};
+    }));
+    CHECK(sees("a paler material", "wood-intact",
+               [](Scene& scene) { scene.world.materials[0].colour *= 1.25; }));
+    CHECK(sees("another seed", "concrete-broken", [](Scene& scene) { scene.world.seed = 2; }));
 }
 
 TEST_CASE("the comparison sees a blank picture and a picture without shadows or texture",
@@ -131,12 +118,10 @@ TEST_CASE("the comparison sees a blank picture and a picture without shadows or 
     const Image picture = drawSuitePicture(pictureNamed("brick-broken"));
     Image blank = picture;
     std::fill(blank.pixels.begin(), blank.pixels.end(), std::uint8_t{0});
-    CHECK(different(picture, blank));
-    CHECK(different(picture, drawSuitePicture(pictureNamed("brick-broken"), [](Scene& scene) {
-                        scene.world.materials[0].surface = SurfaceKind::Plain;
-                    })));
-    CHECK(different(picture, drawSuitePicture(pictureNamed("brick-broken"),
-                                              [](Scene& scene) { scene.world.ground = false; })));
+    CHECK(sees("a blank picture", "brick-broken", picture, blank));
+    CHECK(sees("no texture", "brick-broken",
+               [](Scene& scene) { scene.world.materials[0].surface = SurfaceKind::Plain; }));
+    CHECK(sees("no ground", "brick-broken", [](Scene& scene) { scene.world.ground = false; }));
 }
 
 // tools/update-baselines runs this, and nothing else does.
