@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string_view>
 
 #include "core/world.hpp"
@@ -6,6 +7,15 @@
 namespace sunder {
 
 class IncidentRing;
+
+/// Is told what the passes of a step wrote, as far as Solver::state() does not show it: forces,
+/// stresses, links. Slow; it tells where two runs part.
+class PassObserver {
+  public:
+    virtual ~PassObserver() = default;
+    /// Comes several times for a pass that wrote to several places, always in the same order.
+    virtual void wrote(std::string_view pass, std::span<const float> values) = 0;
+};
 
 /// Advances a world in time. Every solver means the same physics (shared contract: README,
 /// "Solvers").
@@ -26,6 +36,9 @@ class Solver {
     /// depend on it. Solvers on a GPU hand them over two looks late, all in finish(). The ring
     /// must outlive its use here.
     virtual void setIncidents(IncidentRing* ring) = 0;
+    /// From now on it is told; null: nobody, the default, at no cost. The state does not depend on
+    /// it. False: this solver has nothing to tell.
+    virtual bool setPassObserver([[maybe_unused]] PassObserver* observer) { return false; }
 };
 
 }  // namespace sunder

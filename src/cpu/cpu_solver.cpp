@@ -1,17 +1,10 @@
 #include "cpu/cpu_solver.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <optional>
 
-#include "cpu/cpu_body_run.hpp"
-#include "cpu/cpu_contact.hpp"
-#include "cpu/cpu_objects.hpp"
-#include "cpu/flush_denormals.hpp"
+#include "cpu/cpu_runner.hpp"
 
 namespace sunder {
 namespace {
@@ -20,51 +13,6 @@ namespace {
 constexpr int kVectorsPerPart = 16;
 
 }  // namespace
-
-struct CpuSolver::BodyRun : cpu::BodyRun {
-    using cpu::BodyRun::BodyRun;
-    bool held = true;
-};
-
-/// The threads, and how bodies are shared out to them.
-struct CpuSolver::Runner {
-    std::vector<cpu::Law> laws;
-    int threads = 1;
-    /// oneTBB hands out no more threads than the machine has cores unless told to.
-    std::optional<tbb::global_control> more;
-    std::optional<tbb::task_arena> arena;
-    int largeCells = 0;             ///< a body or island with more of them is split
-    std::vector<int> whole, split;  ///< bodies: one thread each; all threads on each in turn
-    std::optional<cpu::Contact> contact;
-    std::optional<Objects> objects;
-    std::optional<cpu::ObjectCells> objectCells;
-    std::unique_ptr<IncidentWatch> watch;
-    std::vector<bool> touching;  ///< per body: something else may touch it
-    /// Awake bodies that may touch something, in groups that have nothing to do with each other;
-    /// with objects, the first are those near one and what hangs on them.
-    std::vector<std::vector<int>> islands;
-
-    /// Calls work(0) .. work(count − 1), shared out to the threads.
-    template <class Work>
-    void forEach(int count, const Work& work) const {
-        const auto guarded = [&](int i) {
-            const cpu::FlushDenormals flush;
-            work(i);
-        };
-        if (threads == 1 || count == 1) {
-            for (int i = 0; i < count; ++i) guarded(i);
-        } else {
-            tbb::parallel_for(0, count, guarded);
-        }
-    }
-    template <class Work>
-    void inArena(const Work& work) {
-        if (arena)
-            arena->execute(work);
-        else
-            work();
-    }
-};
 
 CpuSolver::CpuSolver(const World& world, int threads)
     : world_(world), runner_(std::make_unique<Runner>()) {
@@ -139,8 +87,12 @@ void CpuSolver::advanceTo(std::int64_t end, bool contact) {
     while (step_ < end) {
         const auto count =
             static_cast<int>((watch ? std::min(end, watch->next(step_)) : end) - step_);
-        advanceAlone(count);
-        if (contact) advanceTouching(count);
+        if (runner_->observer) {
+            advanceObserved(count, contact);
+        } else {
+            advanceAlone(count);
+            if (contact) advanceTouching(count);
+        }
         step_ += count;
         if (watch && watch->due(step_)) lookForIncidents();
     }

@@ -23,6 +23,7 @@ class CpuSolver : public Solver, public BodyHost {
     void setState(const State& state) override;
     bool asleep(int body) const override;
     void setIncidents(IncidentRing* ring) override;
+    bool setPassObserver(PassObserver* observer) override;
 
     void adopt(const std::vector<int>& bodies, const State& state) override;
     void release(const std::vector<int>& bodies, State& state) override;
@@ -45,6 +46,8 @@ class CpuSolver : public Solver, public BodyHost {
     void advanceAlone(int steps);
     /// Advances bodies in contact, step by step: each island by one thread, or a large one by all.
     void advanceTouching(int steps);
+    /// Advances all bodies, step by step, and tells the observer what each pass wrote.
+    void advanceObserved(int steps, bool contact);
     void advanceIsland(int steps, const std::vector<int>& bodies);
     void advanceLargeIsland(int steps, const std::vector<int>& bodies);
     void searchContacts(std::int64_t until);

@@ -15,6 +15,7 @@ class BondPass {
     const BondBuffer& bonds() const { return bonds_[current_].bonds; }
     /// Texture buffer, RGBA32F, SUNDER_LINK_TEXELS per cell (LinkRecord).
     const gl::Texture& links() const { return linkTexture_; }
+    const gl::Buffer& linkBuffer() const { return linkBuffer_; }
 
     /// Advances damage by one fracture interval from the stresses of the last element update, then
     /// the links. Needs bindWorld().

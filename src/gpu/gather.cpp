@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/sleep.hpp"
+#include "gpu/observed_pass.hpp"
 
 namespace sunder::gpu {
 namespace {
@@ -12,6 +13,11 @@ namespace {
 gl::Defines breakDefines(const World& world) {
     return {{"BONDS_BREAK", world.bondsBreak() ? "1" : "0"},
             {"CELLS_BREAK", world.cellsBreak() ? "1" : "0"}};
+}
+
+/// kStressLayers of glsl/gather/stress.glsl.
+int stressLayers(const World& world) {
+    return 6 * world.bondsBreak() + world.cellsBreak();
 }
 
 TexelRange cellsOf(const World& world, int index) {
@@ -245,6 +251,7 @@ void GatherSolver::advanceOne(bool events, int stepInFrame) {
         const TimedPass timed(passTimer_, "elements");
         forces_.fill(forceProgram_, awake_);
     }
+    observe(passObserver_, "elements", forces_, world_.cellCount(), kCorners);
     if (contact_) addContacts();
     if (objects_) addObjects();
     if (incidents_ && contact_) incidents_->addPushes();
@@ -271,6 +278,7 @@ void GatherSolver::addContacts() {
     contact_->update(step_, passTimer_);
     const TimedPass timed(passTimer_, "contacts");
     contact_->push(forces_);
+    observe(passObserver_, "contacts", forces_, world_.cellCount(), kCorners);
 }
 
 void GatherSolver::addObjects() {
@@ -278,6 +286,7 @@ void GatherSolver::addObjects() {
     objects_->push(step_);
     forces_.bind();
     objects_->drawForces();
+    observe(passObserver_, "objects", forces_, world_.cellCount(), kCorners);
 }
 
 bool GatherSolver::moving() const {
@@ -292,6 +301,7 @@ void GatherSolver::updateBonds() {
         scratch.fill(stressProgram_, awake_);
         gl::bindTexture(kStresses, GL_TEXTURE_2D_ARRAY, scratch.texture());
     }
+    observe(passObserver_, "stresses", scratch, world_.cellCount(), stressLayers(world_));
     const TimedPass timed(passTimer_, "bonds");
     bondProgram_.use();
     glUniform1i(bondWatchUniform_, std::exchange(newBondWatch_, false));
@@ -303,6 +313,7 @@ void GatherSolver::updateBonds() {
 void GatherSolver::updateLinks() {
     const TimedPass timed(passTimer_, "links");
     links_.fill(linkProgram_, awake_);
+    observe(passObserver_, "links", links_, world_.cellCount(), SUNDER_LINK_TEXELS);
 }
 
 void GatherSolver::updateNodes(bool events, int stepInFrame) {

@@ -7,6 +7,7 @@
 
 #include "core/tetrahedra.hpp"
 #include "gpu/layout.hpp"
+#include "gpu/observed_pass.hpp"
 #include "gpu/texel_target.hpp"
 
 namespace sunder::gpu {
@@ -203,6 +204,7 @@ void ScatterSolver::advance(int steps) {
         if (fracture) {
             const TimedPass timed(passTimer_, "bonds and links");
             bonds_.update(feedback_);
+            observe(passObserver_, "links", bonds_.linkBuffer());
         }
         ++step_;
         if (incidents_ && incidents_->due(step_)) lookForIncidents();
@@ -228,6 +230,10 @@ void ScatterSolver::updateElements(bool fracture) {
     if (fracture) glClearBufferfv(GL_COLOR, 1, zero);
     drawForces(elementPrograms_[fracture], elementAttributes_,
                kTetrahedraPerCell * world_.cellCount());
+    observe(passObserver_, "elements", elementTarget_, 0, width_, world_.nodeCount());
+    if (fracture)
+        observe(passObserver_, "stresses", elementTarget_, 1, width_,
+                SUNDER_STRESS_TEXELS * kTetrahedraPerCell * world_.cellCount());
 }
 
 /// Adds to the bound targets; leaves the inverse masses in the first one's alpha alone.
@@ -252,6 +258,7 @@ void ScatterSolver::addContacts() {
     glViewport(0, 0, width_, height_);
     drawBuffers(1);
     drawForces(contactProgram_, noAttributes_, world_.cellCount());
+    observe(passObserver_, "contacts", elementTarget_, 0, width_, world_.nodeCount());
 }
 
 void ScatterSolver::addObjects() {
@@ -264,6 +271,7 @@ void ScatterSolver::addObjects() {
     glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     objects_->drawForces();
     glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    observe(passObserver_, "objects", elementTarget_, 0, width_, world_.nodeCount());
 }
 
 void ScatterSolver::updateConnectivity() {
@@ -273,6 +281,7 @@ void ScatterSolver::updateConnectivity() {
     connectivityProgram_.use();
     glBindVertexArray(noAttributes_.id());
     glDrawArrays(GL_POINTS, 0, world_.nodeCount());
+    observe(passObserver_, "connectivity", cumulativeTarget_, 0, width_, world_.nodeCount());
 }
 
 void ScatterSolver::updateNodes(int stepInFrame) {

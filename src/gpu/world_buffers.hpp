@@ -101,9 +101,14 @@ class GpuSolver : public Solver {
     virtual std::int64_t droppedContacts() const { return 0; }
     /// Null: none (the default). The timer must outlive its use here.
     void setPassTimer(PassTimer* timer) { passTimer_ = timer; }
+    bool setPassObserver(PassObserver* observer) override {
+        passObserver_ = observer;
+        return true;
+    }
 
   protected:
     PassTimer* passTimer_ = nullptr;
+    PassObserver* passObserver_ = nullptr;
 };
 
 /// Brings a CPU solver's state to the GPU for drawing.

@@ -1,3 +1,5 @@
+#include <regex>
+
 #include "balance/balanced_solver.hpp"
 #include "gpu/gather.hpp"
 #include "gpu/scatter.hpp"
@@ -23,6 +25,9 @@ class Checked : public Solver {
         return state;
     }
     void setState(const State& state) override { solver_.setState(state); }
+    bool setPassObserver(PassObserver* observer) override {
+        return solver_.setPassObserver(observer);
+    }
     bool asleep(int body) const override { return solver_.asleep(body); }
 
   private:
@@ -37,6 +42,14 @@ std::unique_ptr<Solver> makeChecked(const World& world) {
 }
 
 }  // namespace
+
+/// Renderer and version. Without llvmpipe's width of vectors, on which its results do not depend.
+std::string driverUnderTest() {
+    const gl::DeviceInfo& info = testContext().info();
+    const std::string renderer =
+        std::regex_replace(info.renderer, std::regex(", [0-9]+ bits\\)"), ")");
+    return renderer + ", " + info.version;
+}
 
 std::vector<SolverUnderTest> solversUnderTest() {
     return {{"gather", makeChecked<gpu::GatherSolver>, 6e-8, true, true},

@@ -19,6 +19,9 @@ struct SolverUnderTest {
 
 std::vector<SolverUnderTest> solversUnderTest();
 
+/// What rounds for them: the GL driver, or the system that this was built for.
+std::string driverUnderTest();
+
 /// Those among them that have contact.
 inline std::vector<SolverUnderTest> touchingSolvers() {
     std::vector<SolverUnderTest> result = solversUnderTest();
