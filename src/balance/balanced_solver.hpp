@@ -29,6 +29,8 @@ class BalancedSolver : public gpu::GpuSolver {
         gather_.setIncidents(ring);
         cpu_.setIncidents(ring);
     }
+    /// Its parts run at the same time.
+    bool setPassObserver(PassObserver*) override { return false; }
 
     bool onGpu(int body) const { return gather_.holds(body); }
     int bodiesOnGpu() const;

@@ -186,7 +186,7 @@ Record planRecord(const World& world, Solver& solver, int frames, int stepsPerFr
 
 Record record(Solver& solver, const Record& plan) {
     Record result;
-    std::int64_t step = 0;
+    std::int64_t step = solver.state().step;
     for (const RecordEntry& entry : plan) {
         const std::int64_t from = entry.ofState() ? entry.step : entry.step - 1;
         if (from > step) solver.advance(static_cast<int>(from - step));

@@ -29,7 +29,7 @@ std::string toText(const Record&);
 /// does anything. Advances the solver by that many frames, watching every step.
 Record planRecord(const sunder::World&, sunder::Solver&, int frames, int stepsPerFrame);
 
-/// Runs through the steps of `plan` and hashes what it has hashes of.
+/// Runs from where the solver is through the steps of `plan` and hashes what it has hashes of.
 Record record(sunder::Solver&, const Record& plan);
 
 /// A sentence: which step is the first that differs, and in which pass. Empty: none.
