@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <iomanip>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 
@@ -30,6 +31,22 @@ std::string model(const JoinedMesh& mesh, const Material& material) {
          << material.density << "\n*SOLID SECTION, ELSET=BODY, MATERIAL=ELASTIC\n*BOUNDARY\n";
     for (std::size_t i = 0; i < mesh.anchored.size(); ++i)
         if (mesh.anchored[i]) deck << i + 1 << ", 1, 3\n";
+    return deck.str();
+}
+
+/// An element of type MASS at every point, in a set for each of the few masses there are.
+std::string pointMasses(const JoinedMesh& mesh) {
+    std::map<float, std::vector<std::size_t>> points;  // sums of equal masses, in other orders
+    for (std::size_t i = 0; i < mesh.mass.size(); ++i)
+        points[static_cast<float>(mesh.mass[i])].push_back(i + 1);
+    std::ostringstream deck;
+    deck << std::setprecision(12);
+    std::size_t element = mesh.tetrahedra.size(), set = 0;
+    for (const auto& [mass, members] : points) {
+        deck << "*ELEMENT, TYPE=MASS, ELSET=MASS" << ++set << '\n';
+        for (const std::size_t point : members) deck << ++element << ", " << point << '\n';
+        deck << "*MASS, ELSET=MASS" << set << '\n' << mass << '\n';
+    }
     return deck.str();
 }
 
@@ -63,14 +80,16 @@ std::vector<Vec3> calculixSag(const std::string& name, const JoinedMesh& mesh,
 }
 
 std::vector<double> calculixFrequencies(const std::string& name, const JoinedMesh& mesh,
-                                        const Material& material, int count) {
-    const std::string output = runCalculix(name, model(mesh, material) + "*STEP\n*FREQUENCY\n" +
-                                                     std::to_string(count) + "\n*END STEP\n");
-    std::istringstream lines = after(output, "E I G E N V A L U E   O U T P U T");
+                                        const Material& material, int count, Mass mass) {
+    Material solid = material;
+    if (mass == Mass::Lumped) solid.density *= 1e-9;  // not zero: the mass matrix is factorised
+    const std::string deck = model(mesh, solid) + (mass == Mass::Lumped ? pointMasses(mesh) : "") +
+                             "*STEP\n*FREQUENCY\n" + std::to_string(count) + "\n*END STEP\n";
+    std::istringstream lines = after(runCalculix(name, deck), "E I G E N V A L U E   O U T P U T");
     std::vector<double> frequencies;
-    // Mode, eigenvalue, rad/s, Hz, imaginary part; headings have words there.
-    for (std::string line;
-         static_cast<int>(frequencies.size()) < count && std::getline(lines, line);) {
+    std::string line;
+    while (static_cast<int>(frequencies.size()) < count && std::getline(lines, line)) {
+        // Mode, eigenvalue, rad/s, Hz, imaginary part. Headings are words.
         std::istringstream columns(line);
         double mode, eigenvalue, radians, hertz;
         if (columns >> mode >> eigenvalue >> radians >> hertz) frequencies.push_back(hertz);

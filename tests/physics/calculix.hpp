@@ -16,6 +16,12 @@ std::string calculixVersion();
 std::vector<sunder::Vec3> calculixSag(const std::string& name, const JoinedMesh&,
                                       const sunder::Material&, const sunder::Vec3& gravity);
 
-/// Hz, the lowest `count` natural frequencies, ascending. Mass is consistent, not lumped.
+enum class Mass {
+    Consistent,  ///< CalculiX's own: the mass matrix that follows from the elements' shape
+                 ///< functions
+    Lumped,      ///< point masses, JoinedMesh::mass
+};
+
+/// Hz, the lowest `count` natural frequencies, ascending.
 std::vector<double> calculixFrequencies(const std::string& name, const JoinedMesh&,
-                                        const sunder::Material&, int count);
+                                        const sunder::Material&, int count, Mass);

@@ -1,4 +1,4 @@
-// The lowest natural frequencies of a standing block, from its free vibration, against CalculiX.
+// The lowest natural frequencies of bodies that stand, from their free vibration, against CalculiX.
 #include <Eigen/Core>
 #include <complex>
 #include <numbers>
@@ -13,7 +13,8 @@ using namespace sunder;
 namespace {
 
 constexpr int kModes = 3;
-constexpr double kLookEvery = 4;  // steps, a hundred looks at a period of the slowest mode
+constexpr int kLookEvery = 4;    // steps, a hundred looks or more at a period of the slowest mode
+constexpr double kPeriods = 12;  // of the slowest mode: others 1.3 times as fast stand apart
 
 /// Displacements, m, of two corners of the top, one series per component.
 using Record = std::vector<std::vector<double>>;
@@ -62,51 +63,125 @@ std::vector<double> peaks(const PlotPoints& points) {
     return found;
 }
 
-}  // namespace
-
-TEST_CASE("the first three natural frequencies of a block are CalculiX's") {
-    const std::string calculix = calculixVersion();
-    PhysicsReport report("natural-frequencies", "Natural frequencies of a block",
-                         "A block of 0.4 × 1.2 × 0.5 m held at its bottom is hit at an edge and "
-                         "rings; the first three peaks of its spectrum against *FREQUENCY of " +
-                             calculix + " on the same mesh of linear tetrahedra");
-    WorldDescription description = elasticBlock({4, 12, 5}, 0.1, 1.5e7, 0.3);
-    description.bodies[0].anchors = {Side::Bottom};
-    EventDescription hit;  // off every axis, so that it bends both ways and twists
+/// Held at its bottom, and hit at a corner of its top, off every axis, so that it bends both ways
+/// and twists.
+WorldDescription standing(IVec3 cells, double cell) {
+    WorldDescription description = elasticBlock(cells, cell, 1.5e7, 0.3);
+    BodyDescription& body = description.bodies[0];
+    body.anchors = {Side::Bottom};
+    EventDescription hit;
     hit.kind = EventDescription::Kind::Velocity;
-    hit.point = {0.2, 1.2, 0.25};
+    hit.point = {body.size[0] / 2, body.size[1], body.size[2] / 2};
     hit.radius = 0.25;
     hit.vector = {0.2, 0, 0.2};  // m/s: strains of about a thousandth
     description.events = {hit};
-    const World world(description);
+    return description;
+}
+
+/// Power over frequency of what a block does after the hit, for `length` s.
+PlotPoints ring(const SolverUnderTest& under, const World& world, double length, double highest) {
     requireUnlimited(world);
-    // Consistent mass there, lumped here: 1D elements of edge ℓ differ by (kℓ)²/12 in frequency,
-    // 0.4 % of torsion, a quarter of a wave on 12 cells...
+    const auto solver = under.make(world);
+    const IVec3 cells = world.bodies()[0].cells;
+    const int ends[] = {world.bodies()[0].cellAt({cells[0] - 1, cells[1] - 1, cells[2] - 1}),
+                        world.bodies()[0].cellAt({0, cells[1] - 1, cells[2] - 1})};
+    const int corners[] = {kCorners * ends[0] + 7, kCorners * ends[1] + 6};
+    const double interval = kLookEvery * world.step();
+    Record record(6);
+    solver->advance(static_cast<int>(0.01 / world.step()));  // the hit takes 5 ms
+    for (double t = 0; t < length; t += interval) {
+        solver->advance(kLookEvery);
+        const State state = solver->state();
+        for (int i = 0; i < 6; ++i) record[i].push_back(state.displacement[corners[i / 3]][i % 3]);
+    }
+    return spectrum(record, interval, highest);
+}
+
+}  // namespace
+
+TEST_CASE("the first three natural frequencies of a bar are CalculiX's") {
+    const std::string calculix = calculixVersion();
+    PhysicsReport report("natural-frequencies", "Natural frequencies of a bar",
+                         "A bar of 0.2 × 2 × 0.3 m held at its bottom is hit at a corner and "
+                         "rings; the first three peaks of its spectrum against *FREQUENCY of " +
+                             calculix + " on the same mesh of linear tetrahedra, mass consistent");
+    const World world(standing({2, 20, 3}, 0.1));
+    const JoinedMesh mesh = joinedMesh(world);
+    const Material& material = world.description().materials[0];
     const std::vector<double> expected =
-        calculixFrequencies("frequencies", joinedMesh(world), description.materials[0], kModes);
-    const int cells = world.cellCount();
-    const int corners[] = {kCorners * (cells - 1) + 7, kCorners * (cells - 4) + 6};
+        calculixFrequencies("bar", mesh, material, kModes, Mass::Consistent);
+    const std::vector<double> lumped =
+        calculixFrequencies("bar-lumped", mesh, material, kModes, Mass::Lumped);
     auto plot =
         report.plot("Spectrum of free vibration", {"frequency", "Hz"}, {"power", "m²", true});
+    PlotPoints points;
     for (const SolverUnderTest& under : cpuSolvers()) {
-        const auto solver = under.make(world);
-        Record record(6);
-        const double interval = kLookEvery * world.step();
-        // 16 periods of the slowest mode.
-        solver->advance(20);
-        while (interval * static_cast<double>(record[0].size()) < 16 / expected[0]) {
-            solver->advance(static_cast<int>(kLookEvery));
-            const State state = solver->state();
-            for (int i = 0; i < 6; ++i)
-                record[i].push_back(state.displacement[corners[i / 3]][i % 3]);
-        }
-        const PlotPoints points = spectrum(record, interval, 1.3 * expected.back());
+        points = ring(under, world, kPeriods / expected[0], 1.3 * expected.back());
         plot.series(under.name, LineStyle::Line, points);
         const std::vector<double> found = peaks(points);
         CAPTURE(under.name, found, expected);
         REQUIRE(found.size() >= kModes);
-        for (int mode = 0; mode < kModes; ++mode)
-            report.checkRelative("frequency " + std::to_string(mode + 1) + ", " + under.name,
-                                 found[mode], expected[mode], "Hz", 0.02);
+        for (int mode = 0; mode < kModes; ++mode) {
+            const std::string which = "frequency " + std::to_string(mode + 1) + ", " + under.name;
+            // Lumped against consistent mass: with cells of edge ℓ about (kℓ)²/12 along the bar,
+            // and as much again for the turning of cross-sections of two cells; k = 4.7/2 m for
+            // mode 3.
+            report.checkRelative(which, found[mode], expected[mode], "Hz", 0.02);
+            // The same masses and stiffness: what is left is amplitude and where a peak is.
+            report.checkRelative(which + ", same point masses", found[mode], lumped[mode], "Hz",
+                                 0.005);
+        }
     }
+    PlotPoints theirs;
+    for (const double f : expected) {
+        const auto at = std::lower_bound(points.begin(), points.end() - 1, std::array{f, 0.0});
+        theirs.push_back({f, (*at)[1]});
+    }
+    plot.series(calculix, LineStyle::Points, theirs);
+}
+
+TEST_CASE("the natural frequencies of a block, torsion among them, converge to CalculiX's") {
+    const std::string calculix = calculixVersion();
+    PhysicsReport report("block-frequencies", "Natural frequencies of a block as cells get smaller",
+                         "A block of 0.4 × 1.2 × 0.6 m held at its bottom; bending both ways and "
+                         "torsion against *FREQUENCY of " +
+                             calculix +
+                             " on the same mesh. Mass at corners turns harder than mass spread "
+                             "out: with the same point masses CalculiX has the same frequencies, "
+                             "with its own consistent mass they meet as cells get smaller");
+    auto spectra =
+        report.plot("Spectrum of free vibration", {"frequency", "Hz"}, {"power", "m²", true});
+    auto errors = report.plot("Frequencies below CalculiX's with consistent mass",
+                              {"cells over 0.4 m", "1", true}, {"difference", "1", true});
+    const char* modes[kModes] = {"bending over 0.4 m", "bending over 0.6 m", "torsion"};
+    std::array<PlotPoints, kModes> differences;
+    const SolverUnderTest cpu = cpuSolvers().back();
+    REQUIRE(cpu.name == "cpu");
+    for (const int fineness : {2, 4, 5}) {
+        WorldDescription description = standing(fineness * IVec3(2, 6, 3), 0.2 / fineness);
+        description.step *= 2.0 / fineness;  // carries the same E
+        const World world(description);
+        const JoinedMesh mesh = joinedMesh(world);
+        const std::string name = "block-" + std::to_string(2 * fineness);
+        const auto consistent =
+            calculixFrequencies(name, mesh, description.materials[0], kModes, Mass::Consistent);
+        const auto lumped = calculixFrequencies(name + "-lumped", mesh, description.materials[0],
+                                                kModes, Mass::Lumped);
+        const PlotPoints points = ring(cpu, world, kPeriods / lumped[0], 1.3 * lumped.back());
+        const std::string across = std::to_string(2 * fineness) + " cells over 0.4 m";
+        spectra.series(across, LineStyle::Line, points);
+        const std::vector<double> found = peaks(points);
+        CAPTURE(fineness, found, consistent, lumped);
+        REQUIRE(found.size() >= kModes);
+        for (int mode = 0; mode < kModes; ++mode) {
+            differences[mode].push_back({2.0 * fineness, 1 - found[mode] / consistent[mode]});
+            report.checkRelative(modes[mode] + std::string(", ") + across + ", same masses",
+                                 found[mode], lumped[mode], "Hz", 0.005);
+            if (fineness == 5)
+                report.checkRelative(modes[mode] + std::string(", ") + across + ", consistent mass",
+                                     found[mode], consistent[mode], "Hz", 0.02);
+        }
+    }
+    for (int mode = 0; mode < kModes; ++mode)
+        errors.series(modes[mode], LineStyle::Points, differences[mode]);
 }

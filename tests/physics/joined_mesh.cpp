@@ -27,8 +27,10 @@ JoinedMesh joinedMesh(const World& world) {
             point = static_cast<int>(mesh.points.size());
             mesh.points.push_back(latticePosition(world, node));
             mesh.anchored.push_back(false);
+            mesh.mass.push_back(0);
         }
         mesh.anchored[point] = mesh.anchored[point] || world.anchored(node);
+        mesh.mass[point] += world.nodeMass(node);
         mesh.pointOf[node] = point;
     }
     for (int cell = 0; cell < world.cellCount(); ++cell) {

@@ -8,6 +8,7 @@
 struct JoinedMesh {
     std::vector<sunder::Vec3> points;  ///< m, at rest
     std::vector<bool> anchored;        ///< per point
+    std::vector<double> mass;          ///< kg, per point, lumped as Sunder has it
     std::vector<std::array<int, 4>> tetrahedra;
     std::vector<int> pointOf;  ///< by node, −1 where no cell is
 
