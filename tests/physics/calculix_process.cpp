@@ -1,6 +1,6 @@
 #include "physics/calculix_process.hpp"
 
-#include <cstdlib>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -8,35 +8,31 @@
 
 #include "physics/calculix.hpp"
 
+#ifdef _WIN32
+#define popen _popen
+#define pclose _pclose
+#endif
+
 namespace fs = std::filesystem;
 
 namespace {
 
-fs::path workFolder() {
-    const fs::path folder = SUNDER_PHYSICS_WORK;
-    fs::create_directories(folder);
-    return folder;
-}
-
-std::string contents(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-}
-
-/// Runs ccx in the work folder; what it says goes to `log` there. The words are the same for sh and
-/// cmd. Its exit code says nothing: `ccx -v` gives 201.
-void ccx(const std::string& arguments, const std::string& log) {
-    const std::string command =
-        "cd \"" + workFolder().string() + "\" && ccx " + arguments + " > \"" + log + "\" 2>&1";
-    [[maybe_unused]] const int status = std::system(command.c_str());
+/// What ccx says, run in `folder`. The words are the same for sh and cmd. Its exit code says
+/// nothing: `ccx -v` gives 201.
+std::string ccx(const fs::path& folder, const std::string& arguments) {
+    const std::string command = "cd \"" + folder.string() + "\" && ccx " + arguments + " 2>&1";
+    std::FILE* pipe = popen(command.c_str(), "r");
+    if (!pipe) throw std::runtime_error("no process can be started for: " + command);
+    std::string said;
+    for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) said += static_cast<char>(c);
+    pclose(pipe);
+    return said;
 }
 
 }  // namespace
 
 std::string calculixVersion() {
-    ccx("-v", "version.log");
-    const std::string said = contents(workFolder() / "version.log"), words = "This is Version ";
+    const std::string said = ccx(".", "-v"), words = "This is Version ";
     const std::size_t at = said.find(words);
     if (at == std::string::npos)
         throw std::runtime_error(
@@ -48,13 +44,16 @@ std::string calculixVersion() {
 
 std::string runCalculix(const std::string& name, const std::string& input) {
     calculixVersion();
-    const fs::path base = workFolder() / name;
-    fs::remove(base.string() + ".dat");
-    std::ofstream(base.string() + ".inp") << input;
-    ccx("-i \"" + name + "\"", name + ".log");
-    const std::string output = contents(base.string() + ".dat");
-    if (output.empty())
-        throw std::runtime_error("CalculiX printed nothing for " + base.string() +
-                                 ".inp: its .log says why");
-    return output;
+    const fs::path folder = SUNDER_PHYSICS_WORK;
+    fs::create_directories(folder);
+    const fs::path printed = folder / (name + ".dat");
+    fs::remove(printed);
+    std::ofstream(folder / (name + ".inp")) << input;
+    const std::string said = ccx(folder, "-i \"" + name + "\"");
+    std::ostringstream output;
+    if (std::ifstream file(printed); file && file.peek() != EOF) output << file.rdbuf();
+    if (output.str().empty())
+        throw std::runtime_error("CalculiX has no answer to " + (folder / name).string() +
+                                 ".inp; it said: " + said);
+    return output.str();
 }

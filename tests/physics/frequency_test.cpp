@@ -97,6 +97,15 @@ PlotPoints ring(const SolverUnderTest& under, const World& world, double length,
     return spectrum(record, interval, highest);
 }
 
+/// Marks frequencies on a spectrum.
+PlotPoints onCurve(const PlotPoints& points, const std::vector<double>& frequencies) {
+    PlotPoints marks;
+    for (const double f : frequencies)
+        marks.push_back(
+            {f, (*std::lower_bound(points.begin(), points.end() - 1, std::array{f, 0.0}))[1]});
+    return marks;
+}
+
 }  // namespace
 
 TEST_CASE("the first three natural frequencies of a bar are CalculiX's") {
@@ -132,12 +141,8 @@ TEST_CASE("the first three natural frequencies of a bar are CalculiX's") {
                                  0.005);
         }
     }
-    PlotPoints theirs;
-    for (const double f : expected) {
-        const auto at = std::lower_bound(points.begin(), points.end() - 1, std::array{f, 0.0});
-        theirs.push_back({f, (*at)[1]});
-    }
-    plot.series(calculix, LineStyle::Points, theirs);
+    plot.series(calculix + ", consistent mass", LineStyle::Points, onCurve(points, expected));
+    plot.series(calculix + ", same point masses", LineStyle::Points, onCurve(points, lumped));
 }
 
 TEST_CASE("the natural frequencies of a block, torsion among them, converge to CalculiX's") {
@@ -184,4 +189,9 @@ TEST_CASE("the natural frequencies of a block, torsion among them, converge to C
     }
     for (int mode = 0; mode < kModes; ++mode)
         errors.series(modes[mode], LineStyle::Points, differences[mode]);
+    PlotPoints square;
+    const auto [coarse, first] = differences.back()[0];
+    for (const auto& point : differences.back())
+        square.push_back({point[0], first * std::pow(coarse / point[0], 2)});
+    errors.series("square of the edge", LineStyle::Dashed, square);
 }

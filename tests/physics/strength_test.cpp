@@ -87,6 +87,10 @@ PullTest pull(const SolverUnderTest& under, const World& world, double strength)
     return test;
 }
 
+PlotPoints strengthLine(const PullTest& test, double strength) {
+    return {{test.curve.front()[0], 1e-3 * strength}, {test.curve.back()[0], 1e-3 * strength}};
+}
+
 }  // namespace
 
 TEST_CASE("a bar pulled slowly breaks at its weakest bond, at that bond's strength") {
@@ -117,6 +121,9 @@ TEST_CASE("a bar pulled slowly breaks at its weakest bond, at that bond's streng
             INFO(which << under.name);
             curves.series(which + under.name,
                           under.name == "cpu" ? LineStyle::Dashed : LineStyle::Line, test.curve);
+            if (under.name == "cpu")
+                curves.series(which + "strength of the weakest bond", LineStyle::Line,
+                              strengthLine(test, strength));
             report.checkRelative("stress at the first break, " + which + under.name,
                                  1e-3 * test.stress, 1e-3 * strength, "kPa", 0.03);
             CHECK(test.firstBroken.size() == 1);
@@ -157,6 +164,9 @@ TEST_CASE("a bar pulled slowly breaks where a cell has the least max_stress, at 
         INFO(under.name);
         curves.series(under.name, under.name == "cpu" ? LineStyle::Dashed : LineStyle::Line,
                       test.curve);
+        if (under.name == "cpu")
+            curves.series("max_stress of the weak cell", LineStyle::Line,
+                          strengthLine(test, weak.maxStress));
         report.checkRelative("stress at the first break, " + under.name, 1e-3 * test.stress,
                              1e-3 * weak.maxStress, "kPa", 0.03);
         CHECK(test.firstBroken == itsBonds);

@@ -35,7 +35,7 @@ PlotPoints profile(const World& world, const State& state) {
     return points;
 }
 
-/// m: mean place of what moves right of the middle.
+/// m: mean place of the momentum right of the middle.
 double centre(const PlotPoints& profile) {
     double sum = 0, moment = 0;
     for (const auto& [x, v] : profile)
@@ -44,6 +44,15 @@ double centre(const PlotPoints& profile) {
             moment += x * v;
         }
     return moment / sum;
+}
+
+/// m: the highest point right of the middle, by a parabola through three cross-sections.
+double crest(const PlotPoints& profile) {
+    std::size_t at = profile.size() / 2 + 1;
+    for (std::size_t i = at; i + 1 < profile.size(); ++i)
+        if (profile[i][1] > profile[at][1]) at = i;
+    const double a = profile[at - 1][1], b = profile[at][1], c = profile[at + 1][1];
+    return profile[at][0] + 0.5 * (a - c) / (a - 2 * b + c) * kCell;
 }
 
 }  // namespace
@@ -71,8 +80,12 @@ TEST_CASE("a pressure wave travels at the speed of sound of a bar") {
         const PlotPoints early = profile(world, solver->state());
         solver->advance(second - first);
         const PlotPoints late = profile(world, solver->state());
-        const double measured = (centre(late) - centre(early)) / ((second - first) * world.step());
-        report.checkRelative("speed, " + under.name, measured, speed, "m/s", 0.03);
+        const double time = (second - first) * world.step();
+        report.checkRelative("speed of the momentum's centre, " + under.name,
+                             (centre(late) - centre(early)) / time, speed, "m/s", 0.03);
+        // Cells slow short waves down, so the crest lags a little.
+        report.checkRelative("speed of the crest, " + under.name,
+                             (crest(late) - crest(early)) / time, speed, "m/s", 0.03);
 
         auto plot = report.plot("Velocity along the bar, " + under.name,
                                 {"place, from the middle", "m"}, {"velocity", "m/s"});
