@@ -2,9 +2,9 @@
 // dissipated. Every entry is summed up by itself, from the motion and a closed form; none is what
 // the others leave.
 //
-// Not in the ledger, because a state does not tell what they took: contact and its dampers, ground
-// and room (a node that is stopped), objects, strongly deformed elements, the speed limit. None of
-// them is at work here.
+// Not in the ledger, because the motion alone does not tell what they took: contact of cells and
+// objects with its dampers and friction, friction of the ground, strongly deformed elements, the
+// speed limit. None of them is at work here.
 #include <algorithm>
 
 #include "catch.hpp"
@@ -23,11 +23,11 @@ constexpr double kYoungModulus = 4e6;  // Pa, a fifth of what the step carries o
 
 /// J, since the start.
 struct Ledger {
-    double events = 0, drag = 0, viscosity = 0;
+    double events = 0, drag = 0, viscosity = 0, ground = 0;
     double kinetic = 0, elastic = 0, gravity = 0;  ///< now
 
     double held() const { return kinetic + elastic + gravity; }
-    double spent() const { return drag + viscosity; }
+    double spent() const { return drag + viscosity + ground; }
 };
 
 /// Kinetic, elastic and gravity's energy. Symplectic Euler's velocities are those half a step
@@ -69,6 +69,11 @@ void enterStep(const World& world, const State& before, const State& after, Ledg
         across[node] = 0.5 * (before.velocity[node] + after.velocity[node]);
         if (world.anchored(node)) continue;
         const double mass = world.nodeMass(node);
+        // What comes down on the ground stops there.
+        const double rest = world.restPosition(node)[1];
+        if (world.description().ground && rest + before.displacement[node][1] > 0 &&
+            rest + after.displacement[node][1] == 0)
+            ledger.ground += 0.5 * mass * std::pow(before.velocity[node][1], 2);
         const double lost = 1 - std::exp(-world.bodies()[0].drag * h);
         ledger.drag += mass * lost * before.velocity[node].dot(across[node]);
         for (const Event& event : world.events())
@@ -138,6 +143,7 @@ void closeBooks(PhysicsReport& report, const std::string& story, const SolverUnd
         line("gravity", LineStyle::Line, [&](const Ledger& l) { return l.gravity - height; });
         line("lost to drag", LineStyle::Line, [](const Ledger& l) { return l.drag; });
         line("lost to viscosity", LineStyle::Line, [](const Ledger& l) { return l.viscosity; });
+        line("lost to the ground", LineStyle::Line, [](const Ledger& l) { return l.ground; });
         line("sum of these", LineStyle::Points,
              [&](const Ledger& l) { return l.held() - height + l.spent(); });
         line("put in", LineStyle::Dashed,
@@ -217,6 +223,23 @@ TEST_CASE("energy put in is kinetic, elastic, or dissipated") {
         report.checkRelative(
             "A bar is let go and sags: elastic share of gravity's work, " + under.name,
             course.entries.back().elastic / fallen, 0.5, "1", 0.01);
+    }
+}
+
+TEST_CASE("a landing costs the energy of what lands") {
+    PhysicsReport report("energy-of-a-landing", "Energy of a fall on the ground",
+                         "A block falls on a ground without friction; what reaches the ground "
+                         "stops, and costs its kinetic energy, mv²/2");
+    for (const SolverUnderTest& under : cpuSolvers()) {
+        WorldDescription description = elasticBlock({4, 3, 2}, 0.1, kYoungModulus, 0.3);
+        description.gravity = {0, -9.81, 0};
+        description.ground = true;
+        description.groundFriction = 0;
+        description.bodies[0].position = {0, 0.1, 0};
+        const World world(description);
+        const Course course = follow(under, world, world.initialState(), 1600);
+        const double fallen = world.presentCells() * world.cellMass(0) * 9.81 * 0.1;
+        closeBooks(report, "A block falls 0.1 m on the ground", under, course, fallen);
     }
 }
 
