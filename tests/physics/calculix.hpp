@@ -6,7 +6,7 @@
 
 /// CalculiX (www.calculix.de), a finite element program that shares nothing with Sunder: linear
 /// elasticity on the same mesh, as its elements C3D4. Input and output stay in
-/// physics-calculix/NAME.* of the build folder. Each throws where CalculiX is not installed, or
+/// physics-calculix/NAME of the build folder. Each throws where CalculiX is not installed, or
 /// gave no answer.
 
 /// For example "CalculiX 2.20".

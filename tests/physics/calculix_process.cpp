@@ -44,7 +44,7 @@ std::string calculixVersion() {
 
 std::string runCalculix(const std::string& name, const std::string& input) {
     calculixVersion();
-    const fs::path folder = SUNDER_PHYSICS_WORK;
+    const fs::path folder = fs::path(SUNDER_PHYSICS_WORK) / name;
     fs::create_directories(folder);
     const fs::path printed = folder / (name + ".dat");
     fs::remove(printed);

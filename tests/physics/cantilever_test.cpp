@@ -1,5 +1,6 @@
 // A bar held at its left end sags a little under its own weight, against CalculiX and beam theory.
-#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 
 #include "catch.hpp"
 #include "physics/calculix.hpp"
@@ -73,11 +74,10 @@ PlotPoints beamLine(bool shear) {
 }  // namespace
 
 TEST_CASE("a cantilever sags as CalculiX says on the same mesh") {
-    const std::string calculix = calculixVersion();
     PhysicsReport report("cantilever-sag", "Sag of a cantilever",
                          "A bar of 2 × 0.4 × 0.4 m, ν = 0.3, at rest under its own weight, against "
-                         "*STATIC of " +
-                             calculix + " on the same mesh of linear tetrahedra");
+                         "*STATIC of CalculiX on the same mesh of linear tetrahedra");
+    const std::string calculix = calculixVersion();
     auto plot = report.plot("Sag along the axis", {"position along the bar", "m"}, {"sag", "mm"});
     const WorldDescription description = cantilever(4, 0.3);
     const World world(description);
@@ -101,12 +101,11 @@ TEST_CASE("a cantilever sags as CalculiX says on the same mesh") {
 }
 
 TEST_CASE("a cantilever's sag converges to beam theory as cells get smaller") {
-    const std::string calculix = calculixVersion();
     PhysicsReport report("cantilever-refinement", "Sag of a cantilever as cells get smaller",
                          "The sag of the tip with ν = 0 against Timoshenko's beam; linear "
                          "tetrahedra are too stiff in bending, and the error must fall as the "
-                         "square of the cell's edge; " +
-                             calculix + " on the same meshes");
+                         "square of the cell's edge; CalculiX on the same meshes");
+    const std::string calculix = calculixVersion();
     auto lines = report.plot("Sag along the axis", {"position along the bar", "m"}, {"sag", "mm"});
     lines.series("Timoshenko", LineStyle::Line, beamLine(true));
     lines.series("Euler–Bernoulli", LineStyle::Dashed, beamLine(false));
@@ -142,7 +141,8 @@ TEST_CASE("a cantilever's sag converges to beam theory as cells get smaller") {
     for (const std::size_t i : {2, 3}) {
         const double finer = ours[i][0] / ours[i - 1][0];
         const double order = std::log(ours[i - 1][1] / ours[i][1]) / std::log(finer);
-        report.checkAbsolute("order of convergence, up to " + std::to_string(int(ours[i][0])) +
+        report.checkAbsolute("order of convergence, up to " +
+                                 std::to_string(static_cast<int>(ours[i][0])) +
                                  " cells over the height",
                              order, 2, "1", 0.2);
         if (i == 3)

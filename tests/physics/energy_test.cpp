@@ -6,6 +6,7 @@
 // objects with its dampers and friction, friction of the ground, strongly deformed elements, the
 // speed limit. None of them is at work here.
 #include <algorithm>
+#include <cmath>
 
 #include "catch.hpp"
 #include "core/diagnostics.hpp"
@@ -158,6 +159,7 @@ WorldDescription heldBar(double drag) {
     WorldDescription description = elasticBlock({8, 2, 2}, 0.1, kYoungModulus, 0.3);
     description.bodies[0].anchors = {Side::Left};
     description.materials[0].damping = drag;
+    keepAwake(description);
     return description;
 }
 
@@ -203,7 +205,7 @@ TEST_CASE("energy put in is kinetic, elastic, or dissipated") {
     for (const SolverUnderTest& under : cpuSolvers()) {
         for (const double drag : {0.0, 6.0}) {
             WorldDescription description = heldBar(drag);
-            description.events = {push(200, 0.01)};
+            description.events.push_back(push(200, 0.01));
             const World world(description);
             const Course course = follow(under, world, world.initialState(), 2400);
             const Ledger& end = course.entries.back();

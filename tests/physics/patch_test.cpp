@@ -3,6 +3,7 @@
 // lattices, so irregular means here: oblong cells, both mirrored splits, holes.
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <map>
 
 #include "catch.hpp"
@@ -214,7 +215,7 @@ TEST_CASE("patch test: points inside find the uniform deformation that the sides
         }
         plot.series(under.name, LineStyle::Line, distance);
         // Motion ends where a step's h·v is below ε·U/2, half a bit of the displacement: with drag
-        // d that is d·ε·U/(2h·ω²) off, ω > 2/(h·20) for four cells across. Forces are rounded, too:
+        // d that is d·ε·U/(2h·ω²) off, ω ≈ 1/(10·h) for five cells across. Forces are rounded, too:
         // ten times as much in all.
         const double rounding =
             10 * under.epsilon * largest *

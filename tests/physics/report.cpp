@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 
@@ -21,6 +22,7 @@ nlohmann::json toJson(const Axis& axis) {
 PhysicsReport::PhysicsReport(const std::string& name, const std::string& title,
                              const std::string& claim)
     : name_(name),
+      exceptions_(std::uncaught_exceptions()),
       json_{{"name", name},
             {"title", title},
             {"claim", claim},
@@ -28,6 +30,14 @@ PhysicsReport::PhysicsReport(const std::string& name, const std::string& title,
             {"figures", nlohmann::json::array()}} {}
 
 PhysicsReport::~PhysicsReport() {
+    if (std::uncaught_exceptions() > exceptions_)
+        json_["figures"].push_back({{"what", "the check reached its end"},
+                                    {"measured", 0},
+                                    {"expected", 1},
+                                    {"unit", "1"},
+                                    {"tolerance", 0},
+                                    {"relative", false},
+                                    {"holds", false}});
     const std::filesystem::path folder = SUNDER_PHYSICS_REPORT;
     std::error_code error;
     std::filesystem::create_directories(folder, error);

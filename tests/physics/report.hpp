@@ -15,7 +15,8 @@ enum class LineStyle { Line, Dashed, Points };
 using PlotPoints = std::vector<std::array<double, 2>>;
 
 /// What one check leaves for a reader: its plots and figures, in report/physics/NAME.json of the
-/// build folder. Written when it goes, so also when the check fails.
+/// build folder. Written when it goes, so also when the check fails; one that was cut short has a
+/// figure that says so.
 class PhysicsReport {
   public:
     class Plot {
@@ -49,5 +50,6 @@ class PhysicsReport {
     void check(nlohmann::json figure, double allowed);
 
     std::string name_;
+    int exceptions_;  ///< on their way when the check began
     nlohmann::json json_;
 };

@@ -1,4 +1,6 @@
 // A bar pulled slowly breaks where it is weakest, when its stress is what that place bears.
+#include <algorithm>
+
 #include "catch.hpp"
 #include "core/diagnostics.hpp"
 #include "core/pieces.hpp"

@@ -1,4 +1,6 @@
 // A pressure wave in a slender bar with ν = 0 travels at √(E/ρ), as d'Alembert's solution has it.
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "catch.hpp"
