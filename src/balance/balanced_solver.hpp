@@ -25,6 +25,8 @@ class BalancedSolver : public gpu::GpuSolver {
     void setState(const State& state) override;
     bool asleep(int body) const override;
     gpu::StateView view() override;
+    /// Of the bodies on the GPU.
+    void setPassTimer(gpu::PassTimer* timer) override { gather_.setPassTimer(timer); }
     void setIncidents(IncidentRing* ring) override {
         gather_.setIncidents(ring);
         cpu_.setIncidents(ring);

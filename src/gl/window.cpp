@@ -214,9 +214,9 @@ void Window::bind() const {
     glViewport(0, 0, width(), height());
 }
 
-void Window::clear() const {
+void Window::clear(float red, float green, float blue) const {
     bind();
-    glClearColor(0, 0, 0, 1);
+    glClearColor(red, green, blue, 1);
     glClear(GL_COLOR_BUFFER_BIT);
 }
 

@@ -94,8 +94,8 @@ class Window : public Context {
     /// Binds its framebuffer, all of it; colours are written as they are, without a conversion to
     /// sRGB.
     void bind() const;
-    /// The same, cleared to black.
-    void clear() const;
+    /// The same, filled with a colour.
+    void clear(float red, float green, float blue) const;
 
     virtual bool closing() const = 0;
     virtual bool minimised() const = 0;

@@ -100,7 +100,7 @@ class GpuSolver : public Solver {
     /// Contacts that found no room in one search, at most as far as is known; they were left out.
     virtual std::int64_t droppedContacts() const { return 0; }
     /// Null: none (the default). The timer must outlive its use here.
-    void setPassTimer(PassTimer* timer) { passTimer_ = timer; }
+    virtual void setPassTimer(PassTimer* timer) { passTimer_ = timer; }
 
   protected:
     PassTimer* passTimer_ = nullptr;

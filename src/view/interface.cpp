@@ -127,6 +127,11 @@ void Interface::begin(double scale) {
     ImGui::NewFrame();
 }
 
+void Interface::clear() const {
+    const ImVec4& ground = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
+    window_.clear(ground.x, ground.y, ground.z);
+}
+
 void Interface::draw() {
     ImGui::Render();
     window_.bind();  // the interface's colours are sRGB already

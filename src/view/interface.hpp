@@ -23,6 +23,9 @@ class Interface {
     /// Begins a frame. `scale` is on top of the screen's own; letters are made anew when it
     /// changes.
     void begin(double scale);
+    /// Fills the window with what panels stand on, before anything is drawn: blending it into every
+    /// pixel of a panel costs a software driver most of what the interface costs.
+    void clear() const;
     /// Ends it, and draws.
     void draw();
 

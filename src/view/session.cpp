@@ -96,13 +96,13 @@ void Session::buildScene(Scene scene, const char* why) {
     if (rebuild(std::move(scene), nullptr)) log.add(why);
 }
 
-void Session::setMaterial(int index, const Material& material, bool anew) {
+void Session::setMaterial(int index, const Material& material) {
     Scene changedScene = scene();
     const std::string name = material.name;
     changedScene.world.materials[index] = material;
-    const State* state = anew ? nullptr : &stage->simulation.state();
-    if (rebuild(std::move(changedScene), state))
-        log.add("material", {{"index", index}, {"value", name}, {"state_kept", !anew}});
+    const State state = stage->simulation.state();
+    if (rebuild(std::move(changedScene), &state))
+        log.add("material", {{"index", index}, {"value", name}});
 }
 
 void Session::newSeed() {

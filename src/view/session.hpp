@@ -49,8 +49,8 @@ class Session {
     void openScene(const std::string& nameOrPath);
     /// The scene with these changes, from its start.
     void buildScene(Scene scene, const char* why);
-    /// Another material in place of one of the scene's. The state is kept unless `anew`.
-    void setMaterial(int index, const Material&, bool anew);
+    /// Another material in place of one of the scene's. The state is kept.
+    void setMaterial(int index, const Material&);
     void newSeed();
     void saveScene(const std::string& name);
     void saveMaterial(int index, const std::string& name);

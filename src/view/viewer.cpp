@@ -66,11 +66,14 @@ class Viewer {
 
         // Panels first: what they change is in this frame's picture already.
         auto start = Instant::now();
-        drawPanels(session_, interface_);
+        drawPanels(session_, interface_, drafts_);
         double interfaceTime = seconds(Instant::now() - start);
         drawScene();
         start = Instant::now();
-        interface_.draw();
+        {
+            const gpu::TimedPass timed(session_.measuring ? &drawingTimer_ : nullptr, "panels");
+            interface_.draw();
+        }
         interfaceTime += seconds(Instant::now() - start);
         session_.measurements.interface.add(1000 * interfaceTime);
         window_.swap();
@@ -133,7 +136,7 @@ class Viewer {
         render.style = settings.style;
         if (settings.colour != WallColour::Material) render.colours = &stage.colours;
         if (session_.measuring) render.timer = &drawingTimer_;
-        window_.clear();
+        interface_.clear();
         stage.renderer.render(stage.simulation.view(), session_.camera.description(), render);
         if (session_.pictureWanted()) session_.savePicture(stage.renderer.read());
         if (session_.recording() && !session_.clock.paused())
@@ -205,6 +208,7 @@ class Viewer {
     Session session_;
     Interface interface_;
     Controls controls_;
+    Drafts drafts_;
     gpu::PassTimer simulationTimer_{window_.info().software};
     gpu::PassTimer drawingTimer_{window_.info().software};
     Every diagnosis_{0.25}, shaderLook_{0.5}, status_{0.1};

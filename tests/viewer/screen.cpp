@@ -16,6 +16,15 @@
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// In a shell.
+void run(const std::string& command) {
+    if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
+}
+
+}  // namespace
+
 void sleepFor(double seconds) {
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
@@ -70,7 +79,7 @@ int Child::wait(double seconds) {
     return code_;
 }
 
-Screen::Screen(int width, int height) {
+Screen::Screen(int width, int height, int dpi) {
     std::string name = (fs::temp_directory_path() / "sunder-screen-XXXXXX").string();
     if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
     folder_ = name;
@@ -78,7 +87,7 @@ Screen::Screen(int width, int height) {
     const std::string size = std::to_string(width) + "x" + std::to_string(height) + "x24";
     // The server writes the number of the display that it found free.
     server_ = Child({"sh", "-c",
-                     "exec Xvfb -displayfd 3 -nolisten tcp -fbdir '" + folder_.string() +
+                     "exec Xvfb -displayfd 3 -noreset -nolisten tcp -fbdir '" + folder_.string() +
                          "' -screen 0 " + size + " 3>'" + number.string() + "'"},
                     {}, folder_ / "xvfb.log");
     const bool up = eventually([&] {
@@ -89,17 +98,33 @@ Screen::Screen(int width, int height) {
         return true;
     });
     if (!up || display_.empty()) throw std::runtime_error("Xvfb does not start; is it installed?");
+    // Where a desktop leaves it for every program.
+    if (dpi != 96)
+        run("printf 'Xft.dpi: " + std::to_string(dpi) + "\\n' | DISPLAY=" + display_ +
+            " xrdb -nocpp -merge");
 }
 
 Screen::~Screen() {
+    manager_ = Child();
     server_ = Child();
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
 }
 
 void Screen::act(const std::string& arguments) const {
-    const std::string command = "DISPLAY=" + display_ + " xdotool " + arguments;
-    if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
+    run("DISPLAY=" + display_ + " xdotool " + arguments);
+}
+
+void Screen::manageWindows() {
+    const fs::path settings = folder_ / "twmrc";
+    // It asks nobody where a window should go, and needs no fonts but the server's own.
+    std::ofstream file(settings);
+    file << "RandomPlacement\nNoTitle\n";
+    for (const char* what : {"Title", "Resize", "Menu", "Icon", "IconManager"})
+        file << what << "Font \"fixed\"\n";
+    file.close();
+    manager_ = Child({"twm", "-f", settings.string()}, {{"DISPLAY", display_}, {"LC_ALL", "C"}},
+                     folder_ / "twm.log");
 }
 
 sunder::Image Screen::picture() const {

@@ -30,13 +30,16 @@ class Child {
 /// A screen without a monitor (Xvfb), with a mouse and a keyboard (xdotool).
 class Screen {
   public:
-    Screen(int width, int height);
+    /// `dpi`: what its programs are told of its pixels.
+    Screen(int width, int height, int dpi = 96);
     ~Screen();
     Screen(const Screen&) = delete;
     Screen& operator=(const Screen&) = delete;
 
     const std::string& display() const { return display_; }
     const std::filesystem::path& folder() const { return folder_; }  ///< for a test's files
+    /// Starts a window manager (twm), without which windows cannot be minimised.
+    void manageWindows();
     /// xdotool with these arguments.
     void act(const std::string& arguments) const;
     /// What is on it now.
@@ -45,7 +48,7 @@ class Screen {
   private:
     std::filesystem::path folder_;
     std::string display_;
-    Child server_;
+    Child server_, manager_;
 };
 
 /// Waits for `condition`, but not longer than any sound machine takes.

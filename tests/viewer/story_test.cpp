@@ -13,10 +13,10 @@ namespace {
 constexpr int kPanel = 340;  // pixels, at scale 1
 
 /// The panel is there, with its coloured headings, and the scene beside it is no plain area.
-void checkLooksRight(const sunder::Image& image) {
-    CHECK(share(image, 0, 0, kPanel, image.height, 27, 28, 32) > 0.3);
-    CHECK(share(image, 0, 0, kPanel, image.height, 237, 143, 51) > 0.0005);
-    CHECK(colours(image, kPanel, 0, image.width - kPanel, image.height) > 30);
+void checkLooksRight(const sunder::Image& image, int panel = kPanel) {
+    CHECK(share(image, 0, 0, panel, image.height, 27, 28, 32) > 0.3);
+    CHECK(share(image, 0, 0, panel, image.height, 237, 143, 51) > 0.0005);
+    CHECK(colours(image, panel, 0, image.width - panel, image.height) > 30);
 }
 
 double sceneDifference(const sunder::Image& a, const sunder::Image& b) {
@@ -170,19 +170,25 @@ TEST_CASE("A material is changed, tuned and saved, and what is saved runs to the
           "[viewer]") {
     const Screen screen(1280, 720);
     ViewerUnderTest viewer(screen, {"wood", "--size", "1280x720", "--solver", "cpu"});
-    const sunder::Image wood = viewer.keep("30-wood");
+    viewer.clickScene(0.5, 0.45);
+    REQUIRE(eventually([&] { return viewer.status()["bonds_broken"] > 20; }));
     viewer.click("tab.material");
+    const sunder::Image wood = viewer.keep("30-wood");
+    const Json before = viewer.freshStatus();
     viewer.click("material");
     viewer.click("material.concrete");
     REQUIRE(viewer.becomes("materials", Json::array({"concrete"})));
+    // The wall goes on as it is: what was broken stays broken, time does not begin again.
+    const Json after = viewer.freshStatus();
+    CHECK(after["bonds_broken"] >= before["bonds_broken"]);
+    CHECK(after["time"] >= before["time"]);
     const sunder::Image concrete = viewer.keep("31-concrete");
     checkLooksRight(concrete);
     CHECK(sceneDifference(wood, concrete) > 0.2);
 
-    // A slider: the state goes on.
     viewer.clickAt("damping", 0.3, 0.5);
     REQUIRE(eventually([&] { return viewer.eventCount("material") >= 2; }));
-    CHECK(viewer.events("material")[1]["state_kept"] == true);
+    CHECK(viewer.freshStatus()["time"] >= after["time"]);
 
     viewer.type("material_name", "mine");
     viewer.click("save_material");
@@ -296,6 +302,57 @@ TEST_CASE("Windows that change size, hide or lose the focus do no harm", "[viewe
     CHECK(viewer.status()["view"][0] == 0);
     viewer.key("Tab");
     viewer.quit();
+}
+
+TEST_CASE("A minimised window stands still and goes on where it was", "[viewer]") {
+    Screen screen(1280, 720);
+    screen.manageWindows();
+    ViewerUnderTest viewer(screen, {"wood", "--size", "1000x600", "--solver", "cpu"});
+    viewer.clickScene(0.5, 0.45);
+    CHECK(eventually([&] { return viewer.status()["bonds_broken"] > 20; }));
+    const std::string find = "search --name '^Sunder$' ";
+    // Asked for again until the window manager is up.
+    REQUIRE(eventually([&] {
+        screen.act(find + "windowminimize");
+        return viewer.freshStatus()["minimised"] == true;
+    }));
+    const Json hidden = viewer.freshStatus(), later = viewer.freshStatus();
+    CHECK(later["time"] == hidden["time"]);
+    screen.act(find + "windowmap");
+    REQUIRE(viewer.becomes("minimised", false));
+    CHECK(viewer.becomes("window", Json::array({1000, 600})));
+    const Json shown = viewer.freshStatus();
+    // The time it was away for is not made up for.
+    CHECK(shown["time"] > hidden["time"]);
+    CHECK(shown["time"] < hidden["time"].get<double>() + 60);
+    CHECK(shown["bonds_broken"] >= hidden["bonds_broken"]);
+    viewer.quit();
+}
+
+TEST_CASE("On a screen of small pixels everything is as much larger", "[viewer]") {
+    const Screen plain(1280, 720), fine(2560, 1440, 192);
+    const auto look = [](const Screen& screen, const std::string& name) {
+        ViewerUnderTest viewer(screen, {"brick", "--size", "1280x720", "--solver", "cpu"});
+        viewer.click("tab.material");
+        viewer.clickScene(0.5, 0.5);
+        const Json now = viewer.freshStatus();
+        checkLooksRight(viewer.keep(name), now["view"][0]);
+        viewer.quit();
+        return now;
+    };
+    const Json small = look(plain, "51-plain-screen");
+    const Json large = look(fine, "52-fine-screen");
+    CHECK(small["view"][0] == kPanel);
+    CHECK(large["view"][0] == 2 * kPanel);
+    CHECK(large["window"] == Json::array({2560, 1440}));
+    // The same widgets have room, each about twice as large; letters come in whole pixels.
+    REQUIRE(small["widgets"].size() == large["widgets"].size());
+    for (const auto& [name, place] : small["widgets"].items()) {
+        INFO(name);
+        for (int side = 0; side < 4; ++side)
+            CHECK(std::abs(large["widgets"][name][side].get<double>() -
+                           2 * place[side].get<double>()) < 40);
+    }
 }
 
 TEST_CASE("What was chosen is chosen the next time", "[viewer]") {

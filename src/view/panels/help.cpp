@@ -17,6 +17,7 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"Shift + wheel", "strength of hits"},
     {"Ctrl + wheel", "radius of hits"},
     {"Alt + click", "stress of a cell"},
+    {"Ctrl + click on a slider", "type a number"},
     {"", "Hits"},
     {"1 ... 9", "hit at nine places, as on a keypad"},
     {"T", "next tool: shoot, push, pull, look"},

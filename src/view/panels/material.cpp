@@ -10,13 +10,6 @@
 namespace sunder::view {
 namespace {
 
-/// The material on the sliders, which may be ahead of the one that is simulated.
-struct Draft {
-    int generation = -1;  ///< of the stage that it was taken from
-    int index = 0;
-    Material material;
-};
-
 constexpr std::pair<std::string_view, const char*> kGroups[] = {
     // first field of each, in the order of materialFields()
     {"young_modulus", "Stiffness and weight"},
@@ -126,7 +119,8 @@ void drawLimit(const Session& session, int index) {
     }
 }
 
-void drawChoiceOfMaterial(Session& session, Interface& ui, Draft& draft, bool& anew) {
+/// True when another one was chosen.
+bool drawChoiceOfMaterial(Session& session, Interface& ui, MaterialDraft& draft) {
     const auto& materials = session.scene().world.materials;
     if (materials.size() > 1) {
         ImGui::TextDisabled("Material of the scene");
@@ -141,20 +135,22 @@ void drawChoiceOfMaterial(Session& session, Interface& ui, Draft& draft, bool& a
     const bool open = ImGui::BeginCombo("###material", draft.material.name.c_str(),
                                         ImGuiComboFlags_HeightLargest);
     ui.mark("material");
-    if (!open) return;
+    if (!open) return false;
+    bool chosen = false;
     static const std::vector<PresetInfo> presets = materialPresets();
     for (const PresetInfo& preset : presets) {
         if (ImGui::Selectable(preset.name.c_str(), preset.name == draft.material.name)) {
             draft.material = loadMaterial(preset.name);
-            anew = true;
+            chosen = true;
         }
         ui.mark("material." + preset.name);
         ui.tooltip(preset.title);
     }
     ImGui::EndCombo();
+    return chosen;
 }
 
-bool drawFields(Session& session, Interface& ui, Draft& draft) {
+bool drawFields(Session& session, Interface& ui, MaterialDraft& draft) {
     bool changed = false, open = false, done = false;
     for (const MaterialField& field : materialFields()) {
         for (const auto& [first, title] : kGroups) {
@@ -180,48 +176,44 @@ bool drawFields(Session& session, Interface& ui, Draft& draft) {
         done |= ui.letGo();
         if (field.key == "young_modulus") drawLimit(session, draft.index);
     }
-    static double waited = 0;  // s
-    waited += ImGui::GetIO().DeltaTime;
-    const bool live = changed && session.buildTime() < kLive && waited > 2 * session.buildTime();
-    if (live || done) waited = 0;
+    draft.age += ImGui::GetIO().DeltaTime;
+    const bool live = changed && session.buildTime() < kLive && draft.age > 2 * session.buildTime();
+    if (live || done) draft.age = 0;
     return live || done;
 }
 
 }  // namespace
 
-void drawMaterial(Session& session, Interface& ui) {
-    static Draft draft;
+void drawMaterial(Session& session, Interface& ui, MaterialDraft& draft) {
     if (draft.generation != session.generation() && !ImGui::IsAnyItemActive()) {
         const int count = static_cast<int>(session.scene().world.materials.size());
         draft.index = std::min(draft.index, count - 1);
         draft.material = session.scene().world.materials[draft.index];
         draft.generation = session.generation();
     }
-    bool anew = false;
     ui.heading("Material");
-    drawChoiceOfMaterial(session, ui, draft, anew);
+    bool apply = drawChoiceOfMaterial(session, ui, draft);
     if (!draft.material.description.empty())
         ImGui::TextWrapped("%s", draft.material.description.c_str());
 
     const Scene& opened = session.openedScene();
     const bool revertible = draft.index < static_cast<int>(opened.world.materials.size());
-    bool apply = false;
     if (ui.button("revert", "Revert", "As it was when the scene was opened.") && revertible) {
         draft.material = opened.world.materials[draft.index];
         apply = true;
     }
     ImGui::SameLine();
-    static std::string name = "my-material";
     ImGui::SetNextItemWidth(-ui.length(80));
-    ImGui::InputText("###material_name", &name);
+    ImGui::InputText("###material_name", &draft.fileToSave);
     ui.mark("material_name");
     ImGui::SameLine();
     if (ui.button("save_material", "Save as", "A material's file, which a scene uses by its name."))
-        session.saveMaterial(draft.index, name);
+        session.saveMaterial(draft.index, draft.fileToSave);
 
+    ImGui::TextDisabled("Ctrl + click a slider to type a number.");
     apply |= drawFields(session, ui, draft);
-    if (apply || anew) {
-        session.setMaterial(draft.index, draft.material, anew);
+    if (apply) {
+        session.setMaterial(draft.index, draft.material);
         draft.generation = session.generation();
     }
 }

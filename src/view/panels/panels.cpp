@@ -5,7 +5,7 @@
 namespace sunder::view {
 namespace {
 
-void drawTabs(Session& session, Interface& ui) {
+void drawTabs(Session& session, Interface& ui, Drafts& drafts) {
     if (!ImGui::BeginTabBar("tabs")) return;
     session.measuring = false;
     const auto tab = [&](const char* label, const char* name, auto&& contents) {
@@ -21,10 +21,10 @@ void drawTabs(Session& session, Interface& ui) {
     };
     tab("Play", "tab.play", [&] {
         drawHitTools(session, ui);
-        drawViewChoices(session, ui);
+        drawViewChoices(session, ui, drafts.letters);
     });
-    tab("Wall", "tab.wall", [&] { drawWall(session, ui); });
-    tab("Material", "tab.material", [&] { drawMaterial(session, ui); });
+    tab("Wall", "tab.wall", [&] { drawWall(session, ui, drafts.wall); });
+    tab("Material", "tab.material", [&] { drawMaterial(session, ui, drafts.material); });
     tab("Measure", "tab.measure", [&] {
         session.measuring = true;
         drawMeasurements(session, ui);
@@ -38,16 +38,17 @@ float panelWidth(const Interface& ui) {
     return ui.length(340);
 }
 
-void drawPanels(Session& session, Interface& ui) {
+void drawPanels(Session& session, Interface& ui, Drafts& drafts) {
     if (session.settings.panel) {
         const ImGuiIO& io = ImGui::GetIO();
         ImGui::SetNextWindowPos({0, 0});
         ImGui::SetNextWindowSize({panelWidth(ui), io.DisplaySize.y});
         ImGui::Begin("Sunder", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoBackground |  // see Interface::clear
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
         drawTime(session, ui);
-        drawTabs(session, ui);
+        drawTabs(session, ui, drafts);
         ImGui::End();
     } else {
         session.measuring = false;

@@ -7,17 +7,44 @@ namespace sunder::view {
 /// Width of the panel at the window's left, pixels of the interface.
 float panelWidth(const Interface&);
 
+/// What the fields of the tab "Wall" hold until their button is pressed. Belongs to the body of a
+/// scene that it was taken from.
+struct WallDraft {
+    std::string scene;
+    int body = 0;
+    Vec3 size{1, 1, 1};  ///< m
+    IVec3 cells{1, 1, 1};
+    std::uint64_t seed = 1;
+    std::string fileToOpen, fileToSave = "my-wall";
+};
+
+/// The material on the sliders, which may be ahead of the one that is simulated.
+struct MaterialDraft {
+    int generation = -1;  ///< of the stage that it was taken from
+    int index = 0;        ///< among the scene's materials
+    Material material;
+    double age = 0;  ///< s since it was last simulated
+    std::string fileToSave = "my-material";
+};
+
+/// What was entered and not done yet.
+struct Drafts {
+    WallDraft wall;
+    MaterialDraft material;
+    double letters = 1;  ///< their size on the slider
+};
+
 /// Everything on top of the scene: the panel with its tabs, messages, legend, help.
-void drawPanels(Session&, Interface&);
+void drawPanels(Session&, Interface&, Drafts&);
 
 // One file each.
-void drawTime(Session&, Interface&);          ///< pause, step, speed; above the tabs
-void drawHitTools(Session&, Interface&);      ///< tab "Play"
-void drawViewChoices(Session&, Interface&);   ///< likewise
-void drawWall(Session&, Interface&);          ///< tab "Wall": scene, size, cells, seed
-void drawMaterial(Session&, Interface&);      ///< tab "Material"
-void drawMeasurements(Session&, Interface&);  ///< tab "Measure"
-void drawHelp(Session&, Interface&);          ///< over the scene
-void drawOverlays(Session&, Interface&);      ///< likewise: hint, messages, legend, marks
+void drawTime(Session&, Interface&);      ///< pause, step, speed; above the tabs
+void drawHitTools(Session&, Interface&);  ///< tab "Play"
+void drawViewChoices(Session&, Interface&, double& letters);  ///< likewise
+void drawWall(Session&, Interface&, WallDraft&);          ///< tab "Wall": scene, size, cells, seed
+void drawMaterial(Session&, Interface&, MaterialDraft&);  ///< tab "Material"
+void drawMeasurements(Session&, Interface&);              ///< tab "Measure"
+void drawHelp(Session&, Interface&);                      ///< over the scene
+void drawOverlays(Session&, Interface&);  ///< likewise: hint, messages, legend, marks
 
 }  // namespace sunder::view

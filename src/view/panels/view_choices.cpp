@@ -34,7 +34,7 @@ void drawChoice(Session& session, Interface& ui, const char* name, const char* l
 
 }  // namespace
 
-void drawViewChoices(Session& session, Interface& ui) {
+void drawViewChoices(Session& session, Interface& ui, double& letters) {
     Settings& settings = session.settings;
     drawSolvers(session, ui);
 
@@ -72,11 +72,10 @@ void drawViewChoices(Session& session, Interface& ui) {
         session.toggleRecording();
 
     // Letters grow when the mouse lets go, or the slider would run away under it.
-    static double scale = 0;
-    if (!ImGui::IsAnyItemActive()) scale = settings.interfaceScale;
+    if (!ImGui::IsAnyItemActive()) letters = settings.interfaceScale;
     ui.label("Letters", "Size of letters, and of all around them");
-    ui.slider("interface_scale", scale, 0.5, 4, "x", true, "");
-    if (ui.letGo()) settings.interfaceScale = scale;
+    ui.slider("interface_scale", letters, 0.5, 4, "x", true, "");
+    if (ui.letGo()) settings.interfaceScale = letters;
 }
 
 }  // namespace sunder::view

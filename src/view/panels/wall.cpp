@@ -8,19 +8,13 @@
 namespace sunder::view {
 namespace {
 
-/// What the fields hold until "Build" is pressed. Belongs to the body of a scene that it was taken
-/// from.
-struct Draft {
-    std::string scene;
-    int body = 0;
-    Vec3 size{1, 1, 1};
-    IVec3 cells{1, 1, 1};
-    std::uint64_t seed = 1;
-};
-
-void take(Draft& draft, const Scene& scene, int body) {
+void take(WallDraft& draft, const Scene& scene, int body) {
     const BodyDescription& from = scene.world.bodies[body];
-    draft = {scene.name, body, from.size, from.cells, scene.world.seed};
+    draft.scene = scene.name;
+    draft.body = body;
+    draft.size = from.size;
+    draft.cells = from.cells;
+    draft.seed = scene.world.seed;
 }
 
 /// Regions keep their share of the body.
@@ -37,7 +31,7 @@ void resize(BodyDescription& body, const Vec3& size, const IVec3& cells) {
     body.cells = cells;
 }
 
-void drawScenes(Session& session, Interface& ui) {
+void drawScenes(Session& session, Interface& ui, std::string& path) {
     ui.heading("Scene");
     ImGui::SetNextItemWidth(-1);
     const bool open =
@@ -57,7 +51,6 @@ void drawScenes(Session& session, Interface& ui) {
     }
     ImGui::TextWrapped("%s", session.scene().title.c_str());
 
-    static std::string path;
     ImGui::SetNextItemWidth(-ui.length(70));
     ImGui::InputTextWithHint("###scene_file", "a scene's file, .toml", &path);
     ui.mark("scene_file");
@@ -65,7 +58,7 @@ void drawScenes(Session& session, Interface& ui) {
     if (ui.button("open", "Open", "Reads a scene of your own.")) session.openScene(path);
 }
 
-void drawBodies(Draft& draft, const Scene& scene, Interface& ui) {
+void drawBodies(WallDraft& draft, const Scene& scene, Interface& ui) {
     const auto& bodies = scene.world.bodies;
     if (bodies.size() < 2) return;
     ImGui::SetNextItemWidth(-1);
@@ -79,10 +72,9 @@ void drawBodies(Draft& draft, const Scene& scene, Interface& ui) {
 
 }  // namespace
 
-void drawWall(Session& session, Interface& ui) {
-    drawScenes(session, ui);
+void drawWall(Session& session, Interface& ui, WallDraft& draft) {
+    drawScenes(session, ui, draft.fileToOpen);
 
-    static Draft draft;
     const Scene& scene = session.scene();
     if (draft.scene != scene.name || draft.body >= static_cast<int>(scene.world.bodies.size()))
         take(draft, scene, 0);
@@ -129,14 +121,13 @@ void drawWall(Session& session, Interface& ui) {
     }
 
     ui.heading("Save as");
-    static std::string name = "my-wall";
     ImGui::SetNextItemWidth(-ui.length(70));
-    ImGui::InputText("###scene_name", &name);
+    ImGui::InputText("###scene_name", &draft.fileToSave);
     ui.mark("scene_name");
     ImGui::SameLine();
     if (ui.button("save_scene", "Save",
                   "Scene, materials and camera in one file, which `sunder run` reads."))
-        session.saveScene(name);
+        session.saveScene(draft.fileToSave);
 }
 
 }  // namespace sunder::view
