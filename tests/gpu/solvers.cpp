@@ -1,58 +1,16 @@
 #include <regex>
 
-#include "balance/balanced_solver.hpp"
-#include "gpu/gather.hpp"
-#include "gpu/scatter.hpp"
 #include "gpu/test_context.hpp"
 #include "support/solver_under_test.hpp"
 
-using namespace sunder;
-
-namespace {
-
-/// Keeps the world's buffers alive, and turns every GL error into a failed test.
-template <class GpuSolver>
-class Checked : public Solver {
-  public:
-    explicit Checked(const World& world) : buffers_(world), solver_(world, buffers_) {}
-    std::string_view name() const override { return solver_.name(); }
-    void advance(int steps) override { solver_.advance(steps); }
-    void finish() override { solver_.finish(); }
-    void setIncidents(IncidentRing* ring) override { solver_.setIncidents(ring); }
-    State state() const override {
-        State state = solver_.state();
-        testContext().check();
-        return state;
-    }
-    void setState(const State& state) override { solver_.setState(state); }
-    bool setPassObserver(PassObserver* observer) override {
-        return solver_.setPassObserver(observer);
-    }
-    bool asleep(int body) const override { return solver_.asleep(body); }
-
-  private:
-    gpu::WorldBuffers buffers_;
-    GpuSolver solver_;
-};
-
-template <class GpuSolver>
-std::unique_ptr<Solver> makeChecked(const World& world) {
-    testContext();
-    return std::make_unique<Checked<GpuSolver>>(world);
-}
-
-}  // namespace
-
 /// Renderer and version. Without llvmpipe's width of vectors, on which its results do not depend.
 std::string driverUnderTest() {
-    const gl::DeviceInfo& info = testContext().info();
+    const sunder::gl::DeviceInfo& info = testContext().info();
     const std::string renderer =
         std::regex_replace(info.renderer, std::regex(", [0-9]+ bits\\)"), ")");
     return renderer + ", " + info.version;
 }
 
 std::vector<SolverUnderTest> solversUnderTest() {
-    return {{"gather", makeChecked<gpu::GatherSolver>, 6e-8, true, true},
-            {"auto", makeChecked<BalancedSolver>, 6e-8, true, true},
-            {"scatter", makeChecked<gpu::ScatterSolver>, 6e-8, false, true}};
+    return gpuSolvers();
 }

@@ -18,6 +18,10 @@ struct SolverUnderTest {
 };
 
 std::vector<SolverUnderTest> solversUnderTest();
+/// Those that need no GL.
+std::vector<SolverUnderTest> cpuSolvers();
+/// Those that need a GL context; only in programs with gpu/gpu_solvers.cpp.
+std::vector<SolverUnderTest> gpuSolvers();
 
 /// What rounds for them: the GL driver, or the system that this was built for.
 std::string driverUnderTest();
