@@ -14,6 +14,7 @@
 #include "balance/balanced_solver.hpp"
 #include "balance/solver_factory.hpp"
 #include "core/vtu.hpp"
+#include "files/write_file.hpp"
 #include "gl/context.hpp"
 #include "image/image.hpp"
 #include "render/legend.hpp"
@@ -89,9 +90,9 @@ void deliver(int number, double fps, FramePainter& painter,
 void writeResults(const RunOptions& options, const Scene& scene, const World& world,
                   const State& state, const RunFacts& facts) {
     const std::string report = reportJson(scene, world, state, facts);
-    if (!options.out.empty()) writeFileAtomically(fs::path(options.out) / "report.json", report);
-    if (!options.json.empty()) writeFileAtomically(options.json, report);
-    if (!options.state.empty()) writeFileAtomically(options.state, toVtu(world, state));
+    if (!options.out.empty()) writeFile(fs::path(options.out) / "report.json", report);
+    if (!options.json.empty()) writeFile(options.json, report);
+    if (!options.state.empty()) writeFile(options.state, toVtu(world, state));
 }
 
 int run(RunOptions options) {

@@ -1,4 +1,4 @@
-#include "image/temporary_file.hpp"
+#include "files/temporary_file.hpp"
 
 #include <random>
 #include <string>
@@ -11,13 +11,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Random, so that two programs may write at once.
+/// Random, so that two programs may write at once. A dot in front: *.png is whole pictures only,
+/// also after this program was killed.
 fs::path temporaryName(const fs::path& target) {
     static constexpr char kDigits[] = "0123456789abcdef";
     std::random_device random;
     std::string mark = ".tmp-";
     for (int i = 0; i < 12; ++i) mark += kDigits[random() & 15u];
-    fs::path name = target.stem();
+    fs::path name = ".";
+    name += target.stem();
     name += mark;
     name += target.extension();
     return target.parent_path() / name;
