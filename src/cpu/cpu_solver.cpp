@@ -1,8 +1,6 @@
 #include "cpu/cpu_solver.hpp"
 
-#include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "cpu/cpu_contact.hpp"
 #include "cpu/cpu_objects.hpp"
 #include "cpu/flush_denormals.hpp"
+#include "cpu/parallel.hpp"
 
 namespace sunder {
 namespace {
@@ -54,15 +53,18 @@ struct CpuSolver::Runner {
         if (threads == 1 || count == 1) {
             for (int i = 0; i < count; ++i) guarded(i);
         } else {
-            tbb::parallel_for(0, count, guarded);
+            cpu::parallelFor(count, guarded);
         }
     }
     template <class Work>
     void inArena(const Work& work) {
-        if (arena)
-            arena->execute(work);
-        else
+        if (!arena) return work();
+        cpu::ForkJoin order;
+        arena->execute([&] {
+            order.begin();
             work();
+            order.end();
+        });
     }
 };
 
@@ -166,14 +168,11 @@ void CpuSolver::advanceAlone(int steps) {
         bodies_[body]->advance(step_, steps, [&](int vectors, const auto& work) {
             const int parts = std::min({cpu::BodyRun::kMaxParts, 4 * runner.threads,
                                         std::max(1, vectors / kVectorsPerPart)});
-            tbb::parallel_for(
-                tbb::blocked_range<int>(0, parts, 1),
-                [&](const tbb::blocked_range<int>& range) {
-                    const cpu::FlushDenormals flush;
-                    for (int part = range.begin(); part < range.end(); ++part)
-                        work(vectors * part / parts, vectors * (part + 1) / parts, part);
-                },
-                tbb::simple_partitioner());
+            const auto stretch = [&](int part) {
+                const cpu::FlushDenormals flush;
+                work(vectors * part / parts, vectors * (part + 1) / parts, part);
+            };
+            cpu::parallelFor(parts, stretch, tbb::simple_partitioner());
         });
     };
     for (const int body : runner.split) together(body);

@@ -38,6 +38,15 @@ std::string readFile(const fs::path& path) {
     return bytes;
 }
 
+/// stb's complaint; it may quote the file's own bytes.
+std::string reasonOfStb() {
+    const char* reason = stbi_failure_reason();
+    std::string text = reason ? reason : "unknown reason";
+    for (char& c : text)
+        if (c < 0x20 || c > 0x7e) c = '?';
+    return text;
+}
+
 void append(void* context, void* data, int size) {
     static_cast<std::string*>(context)->append(static_cast<const char*>(data),
                                                static_cast<std::size_t>(size));
@@ -77,7 +86,7 @@ Image decodePng(std::string_view bytes, const std::string& name) {
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(data, size, &image.width, &image.height, &channels, 3),
         stbi_image_free);
-    if (!pixels) fail(name, std::string("a damaged PNG picture (") + stbi_failure_reason() + ")");
+    if (!pixels) fail(name, "a damaged PNG picture (" + reasonOfStb() + ")");
     image.pixels.assign(pixels.get(), pixels.get() + 3 * static_cast<std::size_t>(pixelCount));
     return image;
 }
