@@ -58,13 +58,10 @@ struct CpuSolver::Runner {
     }
     template <class Work>
     void inArena(const Work& work) {
-        if (!arena) return work();
-        cpu::ForkJoin order;
-        arena->execute([&] {
-            order.begin();
+        if (arena)
+            arena->execute(work);
+        else
             work();
-            order.end();
-        });
     }
 };
 
