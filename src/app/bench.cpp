@@ -12,8 +12,8 @@
 #include "app/commands.hpp"
 #include "app/machine.hpp"
 #include "app/output_path.hpp"
+#include "files/write_file.hpp"
 #include "gl/context.hpp"
-#include "image/image.hpp"
 
 namespace sunder::app {
 namespace {
@@ -94,8 +94,8 @@ class Bench {
             measureBroken(scene);
         }
         if (context_) context_->check();
-        if (!options_.json.empty()) writeFileAtomically(options_.json, benchJson(report_));
-        if (!options_.svg.empty()) writeFileAtomically(options_.svg, benchSvg(report_));
+        if (!options_.json.empty()) writeFile(options_.json, benchJson(report_));
+        if (!options_.svg.empty()) writeFile(options_.svg, benchSvg(report_));
         return kDone;
     }
 

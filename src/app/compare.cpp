@@ -7,6 +7,7 @@
 #include "app/commands.hpp"
 #include "app/output_path.hpp"
 #include "core/types.hpp"
+#include "files/write_file.hpp"
 #include "image/comparison.hpp"
 
 namespace sunder::app {
@@ -50,12 +51,11 @@ int compareFiles(const CompareOptions& options) {
                   << " pixels, " << options.second << " has " << b.width << " x " << b.height
                   << '\n';
         if (!options.json.empty())
-            writeFileAtomically(
-                options.json,
-                nlohmann::ordered_json{{"alike", false},
-                                       {"sizes", {{a.width, a.height}, {b.width, b.height}}}}
-                        .dump(2) +
-                    "\n");
+            writeFile(options.json,
+                      nlohmann::ordered_json{{"alike", false},
+                                             {"sizes", {{a.width, a.height}, {b.width, b.height}}}}
+                              .dump(2) +
+                          "\n");
         return kDifferent;
     }
     const ComparisonLimits& limits = options.limits;
@@ -68,7 +68,7 @@ int compareFiles(const CompareOptions& options) {
               << c.windowX << ", " << c.windowY << " (" << percent(limits.window)
               << "); mean difference " << shortNumber(c.mean) << " (" << shortNumber(limits.mean)
               << "), largest " << c.largest << '\n';
-    if (!options.json.empty()) writeFileAtomically(options.json, toJson(options, a, c));
+    if (!options.json.empty()) writeFile(options.json, toJson(options, a, c));
     if (!options.difference.empty()) writePng(options.difference, differencePicture(a, b, c));
     return alike ? kDone : kDifferent;
 }

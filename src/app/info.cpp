@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "files/write_file.hpp"
 #include "gl/context.hpp"
-#include "image/image.hpp"
 
 namespace sunder::app {
 namespace {
@@ -59,8 +59,8 @@ int info(const std::string& jsonPath) {
         result = kNoContext;
     }
     if (!jsonPath.empty())
-        writeFileAtomically(
-            jsonPath, report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+        writeFile(jsonPath,
+                  report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
     return result;
 }
 

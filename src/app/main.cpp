@@ -47,7 +47,10 @@ int main(int argc, char** argv) {
         return app.exit(error) == 0 ? app::kDone : app::kBadInput;
     }
     try {
-        return chosen();
+        const int code = chosen();
+        std::cout.flush();
+        if (!std::cout) throw InputError("standard output cannot be written; is the disk full?");
+        return code;
     } catch (const InputError& error) {
         std::cerr << "sunder: " << error.what() << '\n';
         return app::kBadInput;

@@ -14,6 +14,7 @@
 #include "balance/balanced_solver.hpp"
 #include "balance/solver_factory.hpp"
 #include "core/vtu.hpp"
+#include "files/write_file.hpp"
 #include "gl/context.hpp"
 #include "image/image.hpp"
 #include "render/legend.hpp"
@@ -38,10 +39,11 @@ constexpr std::size_t kIncidentRoom = 65536;
 /// Draws a solver's state.
 class FramePainter {
   public:
-    FramePainter(const Scene& scene, const World& world, Solver& solver,
+    FramePainter(const Scene& scene, const World& world, gl::Context& context, Solver& solver,
                  const gpu::WorldBuffers& buffers, const RenderSettings& settings,
                  WallColour colour)
         : camera_(scene.camera),
+          context_(context),
           solver_(solver),
           renderer_(world, buffers),
           view_(world, solver),
@@ -58,6 +60,7 @@ class FramePainter {
     Frame draw(int number, double time) {
         if (colour_ != WallColour::Material) colours_.update(solver_.state(), colour_);
         Image plain = renderer_.draw(view_.view(), camera_, settings_);
+        context_.check();  // before anything is made of a picture that failed
         Image withLegend = plain;
         drawLegend(withLegend, colours_.key());
         return {number, time, std::move(plain), colours_.key(), std::move(withLegend)};
@@ -65,6 +68,7 @@ class FramePainter {
 
   private:
     CameraDescription camera_;
+    gl::Context& context_;
     Solver& solver_;
     Renderer renderer_;
     SolverView view_;
@@ -89,9 +93,9 @@ void deliver(int number, double fps, FramePainter& painter,
 void writeResults(const RunOptions& options, const Scene& scene, const World& world,
                   const State& state, const RunFacts& facts) {
     const std::string report = reportJson(scene, world, state, facts);
-    if (!options.out.empty()) writeFileAtomically(fs::path(options.out) / "report.json", report);
-    if (!options.json.empty()) writeFileAtomically(options.json, report);
-    if (!options.state.empty()) writeFileAtomically(options.state, toVtu(world, state));
+    if (!options.out.empty()) writeFile(fs::path(options.out) / "report.json", report);
+    if (!options.json.empty()) writeFile(options.json, report);
+    if (!options.state.empty()) writeFile(options.state, toVtu(world, state));
 }
 
 int run(RunOptions options) {
@@ -123,7 +127,7 @@ int run(RunOptions options) {
     solver->setIncidents(&incidents);
     std::optional<FramePainter> painter;
     if (!sinks.empty())
-        painter.emplace(scene, world, *solver, *buffers, settings, wallColour(options));
+        painter.emplace(scene, world, *context, *solver, *buffers, settings, wallColour(options));
     if (context) context->check();
     std::error_code error;
     fs::create_directories(options.out, error);

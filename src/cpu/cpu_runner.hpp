@@ -1,6 +1,5 @@
 #pragma once
 #include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <optional>
@@ -10,6 +9,7 @@
 #include "cpu/cpu_objects.hpp"
 #include "cpu/cpu_solver.hpp"
 #include "cpu/flush_denormals.hpp"
+#include "cpu/parallel.hpp"
 
 namespace sunder {
 
@@ -47,7 +47,7 @@ struct CpuSolver::Runner {
         if (threads == 1 || count == 1) {
             for (int i = 0; i < count; ++i) guarded(i);
         } else {
-            tbb::parallel_for(0, count, guarded);
+            cpu::parallelFor(count, guarded);
         }
     }
     template <class Work>

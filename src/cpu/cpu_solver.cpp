@@ -1,10 +1,9 @@
 #include "cpu/cpu_solver.hpp"
 
-#include <tbb/blocked_range.h>
-
 #include <algorithm>
 
 #include "cpu/cpu_runner.hpp"
+#include "cpu/parallel.hpp"
 
 namespace sunder {
 namespace {
@@ -118,14 +117,11 @@ void CpuSolver::advanceAlone(int steps) {
         bodies_[body]->advance(step_, steps, [&](int vectors, const auto& work) {
             const int parts = std::min({cpu::BodyRun::kMaxParts, 4 * runner.threads,
                                         std::max(1, vectors / kVectorsPerPart)});
-            tbb::parallel_for(
-                tbb::blocked_range<int>(0, parts, 1),
-                [&](const tbb::blocked_range<int>& range) {
-                    const cpu::FlushDenormals flush;
-                    for (int part = range.begin(); part < range.end(); ++part)
-                        work(vectors * part / parts, vectors * (part + 1) / parts, part);
-                },
-                tbb::simple_partitioner());
+            const auto stretch = [&](int part) {
+                const cpu::FlushDenormals flush;
+                work(vectors * part / parts, vectors * (part + 1) / parts, part);
+            };
+            cpu::parallelFor(parts, stretch, tbb::simple_partitioner());
         });
     };
     for (const int body : runner.split) together(body);

@@ -14,6 +14,9 @@ namespace {
 // A broken draw reports the same error every frame.
 constexpr std::size_t kMaxCollected = 100;
 
+// GL_CONTEXT_LOST of OpenGL 4.5, which drivers return in older contexts too.
+constexpr GLenum kContextLost = 0x0507;
+
 std::string text(GLenum name) {
     const GLubyte* value = glGetString(name);
     return value ? reinterpret_cast<const char*>(value) : "";
@@ -87,6 +90,7 @@ std::vector<std::string> Context::takeErrors() {
     for (int i = 0; i < 8; ++i) {
         const GLenum error = glGetError();
         if (error == GL_NO_ERROR) break;
+        if (error == GL_OUT_OF_MEMORY || error == kContextLost) fatal_ = error;
         if (!errorReported_) errors_.push_back(errorName(error));
     }
     errorReported_ = false;
@@ -95,6 +99,13 @@ std::vector<std::string> Context::takeErrors() {
 
 void Context::check() {
     const std::vector<std::string> errors = takeErrors();
+    const GLenum fatal = std::exchange(fatal_, 0);
+    if (fatal == kContextLost)
+        throw ContextError("the OpenGL context was lost: the driver was reset or restarted (" +
+                           info_.renderer + "); run it again");
+    if (fatal == GL_OUT_OF_MEMORY)
+        throw ContextError("the OpenGL device ran out of memory (" + info_.renderer +
+                           "); use fewer cells or smaller pictures, or --solver cpu");
     if (!errors.empty()) throw std::runtime_error("OpenGL: " + errors.front());
 }
 

@@ -43,7 +43,8 @@ class Context {
     /// list. Errors that Sunder turned into an exception where they happened (no memory for a
     /// buffer, a shader that does not compile) are not in it.
     std::vector<std::string> takeErrors();
-    /// Throws std::runtime_error with the first of takeErrors(), if any.
+    /// Throws std::runtime_error with the first of takeErrors(), if any; a ContextError when the
+    /// context is lost or the device's memory is exhausted.
     void check();
 
   protected:
@@ -60,6 +61,7 @@ class Context {
     DeviceInfo info_;
     std::vector<std::string> errors_;
     bool errorReported_ = false;  // by the debug callback, since glGetError was last asked
+    unsigned fatal_ = 0;          // GL error after which nothing that follows can be trusted
 };
 
 /// A context without a visible window: EGL devices, hardware before software, then

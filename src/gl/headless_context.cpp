@@ -117,8 +117,10 @@ std::unique_ptr<Context> createHeadlessContext() {
             problems.push_back(candidate.description + ": " + error.what());
         }
     }
-    throw ContextError("no usable OpenGL 4.1 context; tried " +
-                       (problems.empty() ? "nothing: there are no devices" : join(problems)));
+    throw ContextError(
+        "no usable OpenGL 4.1 context; tried " +
+        (problems.empty() ? "nothing: there are no devices; is a driver, such as Mesa's, installed?"
+                          : join(problems)));
 }
 
 std::vector<DeviceListEntry> listDevices() {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,16 +16,13 @@ struct Image {
 /// No picture that is read or drawn may have more pixels.
 inline constexpr std::int64_t kMaxPixels = 1 << 26;
 
-/// Writes a PNG under a temporary name and renames it: never a half-written file under `path`.
-/// Throws InputError.
+/// Throws InputError, as writeFile() does.
 void writePng(const std::filesystem::path& path, const Image&);
 
 /// Reads a PNG (any channel count, alpha dropped; 16 bits become 8). Throws InputError naming the
 /// file when it is not one, or has more than kMaxPixels.
 Image readPng(const std::filesystem::path& path);
-
-/// Writes text or bytes under a temporary name in the same folder, then renames. Throws InputError
-/// naming path and reason.
-void writeFileAtomically(const std::filesystem::path& path, std::string_view contents);
+/// The same from a file's bytes, less than 2 GiB; `name` is the file's in messages.
+Image decodePng(std::string_view bytes, const std::string& name);
 
 }  // namespace sunder

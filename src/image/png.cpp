@@ -8,7 +8,9 @@
 #include <string>
 
 #include "core/types.hpp"
+#include "files/write_file.hpp"
 #include "image/image.hpp"
+#include "image/stb_memory.hpp"
 
 namespace sunder {
 namespace {
@@ -36,6 +38,15 @@ std::string readFile(const fs::path& path) {
     return bytes;
 }
 
+/// stb's complaint; it may quote the file's own bytes.
+std::string reasonOfStb() {
+    const char* reason = stbi_failure_reason();
+    std::string text = reason ? reason : "unknown reason";
+    for (char& c : text)
+        if (c < 0x20 || c > 0x7e) c = '?';
+    return text;
+}
+
 void append(void* context, void* data, int size) {
     static_cast<std::string*>(context)->append(static_cast<const char*>(data),
                                                static_cast<std::size_t>(size));
@@ -50,26 +61,33 @@ void writePng(const fs::path& path, const Image& image) {
     if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, image.pixels.data(),
                                 3 * image.width))
         fail(path, "cannot be written: not enough memory to encode the picture");
-    writeFileAtomically(path, bytes);
+    writeFile(path, bytes);
 }
 
 Image readPng(const fs::path& path) {
-    const std::string bytes = readFile(path);
+    return decodePng(readFile(path), path.string());
+}
+
+Image decodePng(std::string_view bytes, const std::string& name) {
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(bytes.size());
 
     Image image;
     int channels = 0;
     if (!stbi_info_from_memory(data, size, &image.width, &image.height, &channels))
-        fail(path, "not a PNG picture");
-    if (std::int64_t{image.width} * image.height > kMaxPixels)
-        fail(path, std::to_string(image.width) + " x " + std::to_string(image.height) +
+        fail(name, "not a PNG picture");
+    const std::int64_t pixelCount = std::int64_t{image.width} * image.height;
+    if (pixelCount > kMaxPixels)
+        fail(name, std::to_string(image.width) + " x " + std::to_string(image.height) +
                        " pixels are too many (" + std::to_string(kMaxPixels) + " at most)");
+    // Twice what four channels of 16 bits and the filter of each row need, as stb's buffers double.
+    const StbMemoryLimit limit(
+        2 * (static_cast<std::size_t>(8 * pixelCount + image.height) + bytes.size()) + (1 << 20));
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(data, size, &image.width, &image.height, &channels, 3),
         stbi_image_free);
-    if (!pixels) fail(path, std::string("a damaged PNG picture (") + stbi_failure_reason() + ")");
-    image.pixels.assign(pixels.get(), pixels.get() + std::size_t{3} * image.width * image.height);
+    if (!pixels) fail(name, "a damaged PNG picture (" + reasonOfStb() + ")");
+    image.pixels.assign(pixels.get(), pixels.get() + 3 * static_cast<std::size_t>(pixelCount));
     return image;
 }
 

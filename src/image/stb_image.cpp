@@ -1,5 +1,36 @@
 // stb's PNG reader, compiled here once.
+#include <cstdlib>
+#include <limits>
+
+#include "image/stb_memory.hpp"
+
+namespace sunder {
+namespace {
+
+thread_local std::size_t mostBytes = std::numeric_limits<std::size_t>::max();
+
+void* allocate(std::size_t size) {
+    return size <= mostBytes ? std::malloc(size) : nullptr;
+}
+void* reallocate(void* memory, std::size_t size) {
+    return size <= mostBytes ? std::realloc(memory, size) : nullptr;
+}
+
+}  // namespace
+
+StbMemoryLimit::StbMemoryLimit(std::size_t bytes) {
+    mostBytes = bytes;
+}
+StbMemoryLimit::~StbMemoryLimit() {
+    mostBytes = std::numeric_limits<std::size_t>::max();
+}
+
+}  // namespace sunder
+
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
 #define STBI_NO_STDIO
+#define STBI_MALLOC(size) sunder::allocate(size)
+#define STBI_REALLOC(memory, size) sunder::reallocate(memory, size)
+#define STBI_FREE(memory) std::free(memory)
 #include <stb_image.h>

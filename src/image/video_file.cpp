@@ -104,7 +104,8 @@ void VideoFile::finish() {
 }
 
 void VideoFile::close() {
-    if (!ffmpeg_.close()) fail();
+    // On a full disk ffmpeg complains, leaves a part of the video, and ends as if all were well.
+    if (!ffmpeg_.close() || !ffmpeg_.complaints().empty()) fail();
 }
 
 void VideoFile::fail() {

@@ -1,9 +1,9 @@
 #pragma once
 #include <filesystem>
 
+#include "files/temporary_file.hpp"
 #include "image/fed_process.hpp"
 #include "image/image.hpp"
-#include "image/temporary_file.hpp"
 
 namespace sunder {
 

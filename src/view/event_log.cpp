@@ -1,10 +1,12 @@
 #include "view/event_log.hpp"
 
+#include <iostream>
+
 #include "core/types.hpp"
 
 namespace sunder::view {
 
-EventLog::EventLog(const std::filesystem::path& path) {
+EventLog::EventLog(const std::filesystem::path& path) : path_(path) {
     if (path.empty()) return;
     file_.emplace(path, std::ios::trunc);
     if (!*file_) throw InputError("--log: cannot write '" + path.string() + "'");
@@ -15,6 +17,10 @@ void EventLog::add(const char* name, nlohmann::ordered_json fields) {
     nlohmann::ordered_json line = {{"event", name}};
     line.update(fields);
     *file_ << line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
+    if (*file_) return;
+    std::cerr << "sunder: note: --log: '" << path_.string()
+              << "' cannot be written any more and ends here; is the disk full?\n";
+    file_.reset();
 }
 
 }  // namespace sunder::view

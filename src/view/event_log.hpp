@@ -14,10 +14,12 @@ class EventLog {
     explicit EventLog(const std::filesystem::path&);
 
     bool enabled() const { return file_.has_value(); }
-    /// `{"event": name, …}`, there at once for whoever reads along.
+    /// `{"event": name, …}`, there at once for whoever reads along. Says once on stderr that it
+    /// cannot be written, and the log ends.
     void add(const char* name, nlohmann::ordered_json fields = nlohmann::ordered_json::object());
 
   private:
+    std::filesystem::path path_;
     std::optional<std::ofstream> file_;
 };
 

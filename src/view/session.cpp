@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "files/write_file.hpp"
 #include "image/image.hpp"
 #include "render/legend.hpp"
 #include "scene/scene_writer.hpp"
@@ -120,7 +121,7 @@ void Session::saveScene(const std::string& name) {
         const fs::path path = tomlPath(folder, name);
         Scene saved = scene();
         saved.camera = camera.description();
-        writeFileAtomically(path, writeScene(saved));
+        writeFile(path, writeScene(saved));
         say("Saved; run it with: sunder run " + path.string());
         log.add("saved_scene", {{"path", path.string()}});
     } catch (const InputError& error) {
@@ -131,7 +132,7 @@ void Session::saveScene(const std::string& name) {
 void Session::saveMaterial(int index, const std::string& name) {
     try {
         const fs::path path = tomlPath(folder, name);
-        writeFileAtomically(path, writeMaterial(scene().world.materials[index]));
+        writeFile(path, writeMaterial(scene().world.materials[index]));
         say("Saved; a scene uses it by: material = \"" + path.filename().string() + "\"");
         log.add("saved_material", {{"path", path.string()}});
     } catch (const InputError& error) {

@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "balance/solver_factory.hpp"
-#include "image/image.hpp"
+#include "files/write_file.hpp"
 #include "scene/table_reader.hpp"
 #include "scene/toml_file.hpp"
 #include "scene/wording.hpp"
@@ -116,7 +116,7 @@ void writeSettings(const fs::path& path, const Settings& settings) {
     };
     std::string text = "# What `sunder view` remembers; it may be deleted.\n";
     for (const auto& [key, value] : lines) text += std::string(key) + " = " + value + "\n";
-    writeFileAtomically(path, text);
+    writeFile(path, text);
 }
 
 }  // namespace sunder::view

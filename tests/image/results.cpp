@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "files/write_file.hpp"
 #include "gpu/test_context.hpp"
 
 using namespace sunder;
@@ -40,7 +41,7 @@ json toJson(const ComparisonLimits& limits) {
 
 void writeJson(const fs::path& path, const json& contents) {
     fs::create_directories(path.parent_path());
-    writeFileAtomically(path, contents.dump(2) + "\n");
+    writeFile(path, contents.dump(2) + "\n");
 }
 
 }  // namespace

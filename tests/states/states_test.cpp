@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.hpp"
-#include "image/image.hpp"
+#include "files/write_file.hpp"
 #include "scene/scene.hpp"
 #include "states/record.hpp"
 #include "support/solver_under_test.hpp"
@@ -61,14 +61,14 @@ std::string toAccept(const std::string& scene) {
 void report(const std::string& scene, const std::string& solver, const std::string& verdict,
             const std::string& sentence) {
     fs::create_directories(kReport);
-    writeFileAtomically(kReport / (solver + "-" + scene + ".json"),
-                        nlohmann::json{{"scene", scene},
-                                       {"solver", solver},
-                                       {"driver", driverUnderTest()},
-                                       {"verdict", verdict},
-                                       {"sentence", sentence},
-                                       {"accept", toAccept(scene)}}
-                            .dump(2));
+    writeFile(kReport / (solver + "-" + scene + ".json"),
+              nlohmann::json{{"scene", scene},
+                             {"solver", solver},
+                             {"driver", driverUnderTest()},
+                             {"verdict", verdict},
+                             {"sentence", sentence},
+                             {"accept", toAccept(scene)}}
+                  .dump(2));
 }
 
 /// Reports it, and returns what is wrong with it.
@@ -118,9 +118,9 @@ TEST_CASE("renew states", "[.update]") {
             const std::unique_ptr<Solver> solver = under.make(world);
             const fs::path file = fileOf(name, under.name);
             fs::create_directories(file.parent_path());
-            writeFileAtomically(file, "# Scene " + name + ", solver " + under.name + ", on " +
-                                          driverUnderTest() + ". Made by tools/update-states.\n" +
-                                          toText(record(*solver, plan)));
+            writeFile(file, "# Scene " + name + ", solver " + under.name + ", on " +
+                                driverUnderTest() + ". Made by tools/update-states.\n" +
+                                toText(record(*solver, plan)));
             WARN("wrote " << file.string());
         }
     if (!any) FAIL("no states are stored of a scene '" << only << "'");

@@ -7,6 +7,7 @@
 
 #include "catch.hpp"
 #include "core/types.hpp"
+#include "files/write_file.hpp"
 
 namespace fs = std::filesystem;
 using namespace sunder;
@@ -86,9 +87,9 @@ TEST_CASE("A PNG comes back as it was written", "[image]") {
 TEST_CASE("Writing replaces a file whole", "[image]") {
     const Folder folder;
     write(folder / "a.txt", "something longer than what follows");
-    writeFileAtomically(folder / "a.txt", std::string_view("a\0b", 3));
+    writeFile(folder / "a.txt", std::string_view("a\0b", 3));
     CHECK(contents(folder / "a.txt") == std::string("a\0b", 3));
-    writeFileAtomically(folder / "empty", "");
+    writeFile(folder / "empty", "");
     CHECK(fs::file_size(folder / "empty") == 0);
     CHECK(folder.entries() == 2);
 }

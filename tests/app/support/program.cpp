@@ -7,7 +7,14 @@
 #include <sstream>
 
 #ifndef _WIN32
+#include <fcntl.h>
+#include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
 #endif
 
 #include "catch.hpp"
@@ -119,13 +126,67 @@ Workplace::~Workplace() {
     fs::remove_all(root_, ignored);
 }
 
-Result Workplace::run(const std::vector<std::string>& arguments,
-                      const Environment& environment) const {
+Result Workplace::run(const std::vector<std::string>& arguments, const Environment& environment,
+                      const std::string& out) const {
+    return runInShell("", arguments, environment, out);
+}
+
+#ifndef _WIN32
+Result Workplace::runWithFilesUpTo(int blocks, const std::vector<std::string>& arguments,
+                                   const Environment& environment) const {
+    // Without the trap the program would be killed, which no full disk does.
+    return runInShell("trap '' XFSZ; ulimit -f " + std::to_string(blocks) + "; ", arguments,
+                      environment);
+}
+
+bool Workplace::runAndKill(const std::vector<std::string>& arguments, int milliseconds,
+                           const std::string& last) const {
+    using Clock = std::chrono::steady_clock;
+    std::vector<std::string> words{SUNDER_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+
+    const std::set<std::string> before = contents();
+    const auto appeared = [&] {
+        for (const std::string& name : contents())
+            if (!before.count(name) && contains(name, last) && !fs::is_directory(work_ / name))
+                return true;
+        return false;
+    };
+    const CurrentFolder here(work_);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    for (const int output : {STDOUT_FILENO, STDERR_FILENO})
+        posix_spawn_file_actions_addopen(&files, output, "/dev/null", O_WRONLY, 0);
+    pid_t process = -1;
+    const int error =
+        posix_spawn(&process, SUNDER_PROGRAM, &files, nullptr, pointers.data(), environ);
+    posix_spawn_file_actions_destroy(&files);
+    REQUIRE(error == 0);
+    int status = 0;
+    const auto ended = [&] { return waitpid(process, &status, WNOHANG) == process; };
+    const auto giveUp = Clock::now() + std::chrono::minutes(2);
+    while (!appeared() && Clock::now() < giveUp)
+        if (ended()) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    if (ended()) return false;
+    kill(process, SIGKILL);
+    waitpid(process, &status, 0);
+    return true;
+}
+#endif
+
+Result Workplace::runInShell(const std::string& before, const std::vector<std::string>& arguments,
+                             const Environment& environment,
+                             const std::string& standardOutput) const {
     // Outside work_, so that contents() shows only what the program made.
     const fs::path out = root_ / "out.txt", err = root_ / "err.txt";
-    std::string command = quoted(SUNDER_PROGRAM);
+    std::string command = before + quoted(SUNDER_PROGRAM);
     for (const std::string& argument : arguments) command += ' ' + quoted(argument);
-    command += " > " + quoted(out.string()) + " 2> " + quoted(err.string());
+    command += " > " + quoted(standardOutput.empty() ? out.string() : standardOutput) + " 2> " +
+               quoted(err.string());
 
     std::vector<std::unique_ptr<Variable>> variables;
     for (const auto& [name, value] : environment)
@@ -134,7 +195,7 @@ Result Workplace::run(const std::vector<std::string>& arguments,
     Result result;
     result.command = command;
     result.exitCode = exitCodeOf(std::system(shellLine(command).c_str()));
-    result.out = contentsOf(out);
+    if (standardOutput.empty()) result.out = contentsOf(out);
     result.err = contentsOf(err);
     return result;
 }

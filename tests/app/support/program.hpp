@@ -25,16 +25,32 @@ class Workplace {
     Workplace(const Workplace&) = delete;
     Workplace& operator=(const Workplace&) = delete;
 
-    Result run(const std::vector<std::string>& arguments, const Environment& = {}) const;
+    /// `out`: where standard output goes instead of into the result.
+    Result run(const std::vector<std::string>& arguments, const Environment& = {},
+               const std::string& out = {}) const;
+#ifndef _WIN32
+    /// As if the disk were full: no file may become larger than this, in units of 512 bytes.
+    Result runWithFilesUpTo(int blocks, const std::vector<std::string>& arguments,
+                            const Environment& = {}) const;
+    /// Starts the program and kills it (SIGKILL) so many milliseconds after it made its first file
+    /// or, where `last` is not empty, one whose name has `last` in it. False: it had ended before.
+    bool runAndKill(const std::vector<std::string>& arguments, int milliseconds,
+                    const std::string& last = {}) const;
+#endif
 
     void write(const std::string& name, const std::string& contents) const;
     std::string read(const std::string& name) const;
     nlohmann::json readJson(const std::string& name) const;
-    std::filesystem::path path(const std::string& name) const { return work_ / name; }
+    std::filesystem::path path(const std::string& name) const {
+        return work_ / name;
+    }
     /// Every file and folder in it, by its path within.
     std::set<std::string> contents() const;
 
   private:
+    Result runInShell(const std::string& before, const std::vector<std::string>& arguments,
+                      const Environment&, const std::string& standardOutput = {}) const;
+
     std::filesystem::path root_, work_;
 };
 
