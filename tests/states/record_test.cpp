@@ -1,5 +1,8 @@
 // What a record says about the step and the pass in which two runs part.
 #include "states/record.hpp"
+
+#include <sstream>
+
 #include "catch.hpp"
 #include "support/solver_under_test.hpp"
 #include "support/worlds.hpp"
@@ -20,6 +23,11 @@ std::string difference(std::size_t entry, std::size_t hash, const char* value) {
     return firstDifference(kStored, now, 50);
 }
 
+Record readText(const std::string& text) {
+    std::istringstream stream(text);
+    return parseRecord(stream, "record.txt");
+}
+
 }  // namespace
 
 TEST_CASE("Record: the first step that differs and its first pass are named") {
@@ -32,6 +40,47 @@ TEST_CASE("Record: the first step that differs and its first pass are named") {
         for (RecordEntry::Hash& hash : later[i].hashes) hash.value = "xx";
     CHECK(firstDifference(kStored, later, 50) ==
           "step 2 (of frame 1) is the first that differs, in the pass `elements`");
+}
+
+TEST_CASE("Record: what was written to a file is read back, as far as it is kept") {
+    const Record written = {
+        {0, {{"state", "0123456789abcdef"}}},
+        {1, {{"elements", "a1a1a1a1"}, {"nodes", "b1b1b1b1"}}},
+        {2, {{"elements", "a1a1ffff"}, {"nodes", "b2b2b2b2"}, {"bonds", "c2c2c2c2"}}},
+        {3, {{"elements", "a3a3a3a3"}, {"nodes", "b2b2b2b2"}}},
+        {4, {{"elements", "a3a3a3a3"}, {"bonds", "c2c2c2c2"}}}};
+    const std::string text =
+        "0 state 0123456789abcdef\n"
+        "passes elements nodes bonds\n"
+        "1 a1a1 b1b1 -\n"
+        "2 . b2b2 c2c2\n"
+        "3 a3a3 . -\n"
+        "4 . - .\n";
+    CHECK(toText(written) == text);
+    const Record read = readText("# a remark\n" + text);
+    CHECK(toText(read) == text);
+    CHECK(firstDifference(read, written, 50).empty());
+    Record changed = written;
+    changed[3].hashes[1].value = "b3b2b2b2";
+    CHECK(firstDifference(read, changed, 50) ==
+          "step 3 (of frame 1) is the first that differs, in the pass `nodes`");
+    CHECK(toText(readText("7 elements a1a1a1a1 nodes b1b1b1b1\n")) ==
+          "passes elements nodes\n7 a1a1 b1b1\n");
+}
+
+TEST_CASE("Record: a line that is no entry is refused with its number") {
+    const std::string columns = "# a remark\npasses elements nodes\n";
+    for (const char* line : {"1 a1a1", "1 a1a1 b1b1 c1c1", "one a1a1 b1b1", "1 - -", "1 . b1b1"}) {
+        INFO(line);
+        CHECK_THROWS_WITH(readText(columns + line + "\n"),
+                          Catch::Contains("record.txt:3: must be"));
+    }
+    for (const char* line : {"1", "1 elements", "state 0123"}) {
+        INFO(line);
+        CHECK_THROWS_WITH(readText(std::string(line) + "\n"),
+                          Catch::Contains("record.txt:1: must be"));
+    }
+    CHECK_THROWS_WITH(readRecord("no/such/file.txt"), Catch::Contains("cannot be read"));
 }
 
 TEST_CASE("Record: what it cannot know, it says") {
@@ -63,7 +112,7 @@ TEST_CASE("Record: watching a solver does not change what it computes") {
             INFO(under.name << (contact ? ", contact" : ""));
             const std::unique_ptr<Solver> watched = under.make(world), alone = under.make(world);
             if (!watched->setPassObserver(nullptr)) continue;
-            planRecord(world, *watched, 2, 50);
+            record(*watched, everyStep(100));
             alone->advance(100);
             const Record end = {{100, {{"state", ""}}}};
             CHECK(toText(record(*watched, end)) == toText(record(*alone, end)));
