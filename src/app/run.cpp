@@ -18,6 +18,7 @@
 #include "gl/context.hpp"
 #include "image/image.hpp"
 #include "render/legend.hpp"
+#include "scene/limit_warnings.hpp"
 #include "scene/scene.hpp"
 
 namespace sunder::app {

@@ -61,18 +61,6 @@ nlohmann::ordered_json incidentsJson(const World& world, const State& state,
 
 }  // namespace
 
-std::vector<std::string> limitWarnings(const Scene& scene, const World& world) {
-    std::vector<std::string> warnings;
-    for (const ElementLaw& law : world.laws()) {
-        if (!law.limited) continue;
-        const Material& material = world.description().materials[law.material];
-        warnings.push_back(material.name + ": E " + shortNumber(material.youngModulus) +
-                           " limited to " + shortNumber(law.youngModulus) + " Pa at " +
-                           std::to_string(scene.substeps) + " substeps per 1/60 s");
-    }
-    return warnings;
-}
-
 std::string reportJson(const Scene& scene, const World& world, const State& state,
                        const RunFacts& facts) {
     using nlohmann::ordered_json;

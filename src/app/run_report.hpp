@@ -24,7 +24,5 @@ struct RunFacts {
 std::string reportJson(const Scene&, const World&, const State&, const RunFacts&);
 /// A few lines for a person.
 std::string reportText(const Scene&, const World&, const State&, const RunFacts&);
-/// One sentence per material whose stiffness the step does not carry; never silent.
-std::vector<std::string> limitWarnings(const Scene&, const World&);
 
 }  // namespace sunder::app

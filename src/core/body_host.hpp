@@ -11,8 +11,9 @@ namespace sunder {
 class BodyHost {
   public:
     virtual ~BodyHost() = default;
-    /// Takes over bodies that it does not hold, with their parts of `state`, to the bit. They are
-    /// awake. `bodies` ascend; `state.step` must be this solver's step.
+    /// Takes over bodies, with their parts of `state`, to the bit; those that it holds already go
+    /// on from there. They are awake, others are left as they are. `bodies` ascend; `state.step`
+    /// must be this solver's step.
     virtual void adopt(const std::vector<int>& bodies, const State& state) = 0;
     /// Puts bodies that it holds into their parts of `state`, to the bit, and no longer advances
     /// them. Waits for the GPU.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <utility>
 
 #include "gl/glfw_library.hpp"
@@ -27,10 +28,16 @@ Key keyOf(int key, int scancode) {
         return static_cast<Key>(static_cast<int>(Key::F1) + key - GLFW_KEY_F1);
     if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9)
         return static_cast<Key>('0' + key - GLFW_KEY_KP_0);
-    // What the layout prints on it: on a French keyboard, W is where Z is on others.
+    // Letters count by what the layout prints, wherever they are: on a French keyboard, W is where
+    // Z is on others. Digits and signs count by their place: there 1 prints &, and what prints ] on
+    // an American keyboard prints + on a German one. A letter's place that prints a sign is that
+    // sign.
+    const auto isLetter = [](int c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
     const char* name = glfwGetKeyName(key, scancode);
-    if (name && name[0] > ' ' && name[1] == '\0')
-        return static_cast<Key>(std::toupper(static_cast<unsigned char>(name[0])));
+    const char printed = name && name[0] > ' ' && name[1] == '\0' ? name[0] : '\0';
+    const bool letterPlace = key >= GLFW_KEY_A && key <= GLFW_KEY_Z;
+    if (printed && (isLetter(printed) || letterPlace))
+        return static_cast<Key>(std::toupper(static_cast<unsigned char>(printed)));
     return key > ' ' && key < 128 ? static_cast<Key>(key) : Key::None;
 }
 
@@ -54,16 +61,20 @@ class GlfwWindow final : public Window {
         listen();
         setVsync(options.vsync);
         glfwShowWindow(handle());
+        // On a screen of small pixels it is larger than what was asked for.
+        glfwGetWindowSize(handle(), &width_, &height_);
         if (options.fullScreen) setFullScreen(true);
         glfwGetCursorPos(handle(), &cursorX_, &cursorY_);
     }
 
-    void poll() override {
+    void poll(double patience) override {
         input_.keys.clear();
         input_.clicks.clear();
+        input_.dropped.clear();
         input_.wheel = 0;
-        if (minimised())
-            glfwWaitEventsTimeout(0.1);
+        if (minimised()) patience = 0.1;
+        if (patience > 0)
+            glfwWaitEventsTimeout(patience);
         else
             glfwPollEvents();
         // The desktop's coordinates are larger than pixels on some high-density screens.
@@ -84,8 +95,8 @@ class GlfwWindow final : public Window {
     bool focused() const override { return glfwGetWindowAttrib(handle(), GLFW_FOCUSED); }
     int width() const override { return framebufferSize().first; }
     int height() const override { return framebufferSize().second; }
-    int plainWidth() const override { return width_; }
-    int plainHeight() const override { return height_; }
+    int plainWidth() const override { return plain(width_); }
+    int plainHeight() const override { return plain(height_); }
     float contentScale() const override {
         float x = 1, y = 1;
         glfwGetWindowContentScale(handle(), &x, &y);
@@ -144,9 +155,12 @@ class GlfwWindow final : public Window {
             of(w).cursorX_ = x;
             of(w).cursorY_ = y;
         });
-        glfwSetScrollCallback(handle(), [](GLFWwindow* w, double, double y) {
-            of(w).input_.wheel += y;
+        glfwSetScrollCallback(handle(), [](GLFWwindow* w, double x, double y) {
+            of(w).input_.wheel += y != 0 ? y : x;  // macOS turns it with Shift held
             of(w).input_.wheelWith = of(w).modifiers();
+        });
+        glfwSetDropCallback(handle(), [](GLFWwindow* w, int count, const char** paths) {
+            for (int i = 0; i < count; ++i) of(w).input_.dropped.emplace_back(paths[i]);
         });
         glfwSetWindowFocusCallback(handle(), [](GLFWwindow* w, int focused) {
             // Releases that go elsewhere are never heard of.
@@ -185,12 +199,17 @@ class GlfwWindow final : public Window {
         return {down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
                 down(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL) ||
                     down(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER),
-                down(GLFW_KEY_LEFT_ALT, GLFW_KEY_LEFT_ALT)};
+                glfwGetKey(handle(), GLFW_KEY_LEFT_ALT) == GLFW_PRESS};  // the right one is AltGr
     }
     std::pair<int, int> framebufferSize() const {
         int w = 0, h = 0;
         glfwGetFramebufferSize(handle(), &w, &h);
         return {w, h};
+    }
+    /// As Options have it: GLFW makes a window as much larger as letters have to be, except where
+    /// the desktop's coordinates are larger than pixels.
+    int plain(int length) const {
+        return static_cast<int>(std::lround(length * pixelsPerCoordinate() / contentScale()));
     }
     double pixelsPerCoordinate() const {
         int w = 0, h = 0;

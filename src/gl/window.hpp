@@ -10,8 +10,8 @@ struct GLFWwindow;
 
 namespace sunder::gl {
 
-/// A key by what is printed on it: letters, digits and signs by their ASCII code (letters in upper
-/// case, whatever the layout), the others by these.
+/// A key: letters by what the layout prints on it, in upper case; digits and signs by what an
+/// American keyboard prints in that place; the others by these.
 enum class Key : int {
     None = 0,
     Space = ' ',
@@ -71,6 +71,7 @@ struct Input {
     double moveX = 0, moveY = 0;  ///< how far it went
     double wheel = 0;             ///< notches, away from the hand is positive
     Modifiers wheelWith;
+    std::vector<std::string> dropped;  ///< paths of files that were dragged onto the window
 };
 
 /// A window with a GL 4.1 core debug context, and its mouse and keyboard. Main thread only. The
@@ -85,9 +86,9 @@ class Window : public Context {
     /// Throws ContextError, with one sentence, where there is no screen or no GL 4.1.
     static std::unique_ptr<Window> open(const Options&);
 
-    /// Takes in what happened since the last time. While the window is minimised it waits for up to
-    /// 0.1 s, as there is nothing to draw.
-    virtual void poll() = 0;
+    /// Takes in what happened since the last time. Waits up to `patience` s for something to
+    /// happen; 0.1 s while the window is minimised, as there is nothing to draw.
+    virtual void poll(double patience) = 0;
     /// Nothing is held once the focus is lost.
     virtual const Input& input() const = 0;
     virtual void swap() = 0;
@@ -100,9 +101,11 @@ class Window : public Context {
     virtual bool closing() const = 0;
     virtual bool minimised() const = 0;
     virtual bool focused() const = 0;
-    virtual int width() const = 0;       ///< pixels of the framebuffer; 0 while minimised
-    virtual int height() const = 0;      ///< likewise
-    virtual int plainWidth() const = 0;  ///< as Options have it, of the window when not full screen
+    virtual int width() const = 0;   ///< pixels of the framebuffer; 0 while minimised
+    virtual int height() const = 0;  ///< likewise
+    /// As Options have it, of the window when not full screen: a window opened with these is as
+    /// large again, on the same screen.
+    virtual int plainWidth() const = 0;
     virtual int plainHeight() const = 0;  ///< likewise
     /// By how much letters must be larger than 96 dots per inch ask for, in framebuffer pixels.
     virtual float contentScale() const = 0;

@@ -81,6 +81,11 @@ CellColours::CellColours(const World& world)
       stressEnd_(leastStress(world)),
       speedEnd_(kLeastSpeed) {}
 
+void CellColours::continueScales(const CellColours& from) {
+    stressEnd_ = std::max(stressEnd_, from.stressEnd_);
+    speedEnd_ = std::max(speedEnd_, from.speedEnd_);
+}
+
 void CellColours::update(const State& state, WallColour colour) {
     key_ = {};
     key_.colour = colour;

@@ -39,6 +39,8 @@ class CellColours {
     /// The world must outlive it.
     explicit CellColours(const World&);
     void update(const State&, WallColour);
+    /// The scales go on from those of another world.
+    void continueScales(const CellColours& from);
 
     /// Linear RGB, 1, per cell, absent ones 0. Empty: the materials' own.
     const std::vector<glm::vec4>& colours() const { return colours_; }

@@ -16,14 +16,25 @@ void Clock::setSpeed(double speed) {
     recent_.clear();
 }
 
+void Clock::setFixed(bool fixed) {
+    fixed_ = fixed;
+    owed_ = 0;
+}
+
 int Clock::tick(double elapsed) {
+    if (std::exchange(skip_, false)) elapsed = std::min(elapsed, 1.0 / 60);
     if (paused_) {
         owed_ = 0;
         recent_.clear();
         return std::exchange(once_, 0);
     }
     once_ = 0;
-    if (fixed_) return std::max(1, static_cast<int>(std::lround(speed_ / 60 / step_)));
+    if (fixed_) {
+        owed_ += speed_ / 60;
+        const double due = std::floor(owed_ / step_ + 1e-6);  // see below
+        owed_ = std::max(0.0, owed_ - due * step_);
+        return static_cast<int>(due);
+    }
 
     const double wanted = std::max(elapsed, 0.0) * speed_;
     // Half of a frame for simulating: the next frame is at most twice as long as the rest of it,

@@ -24,7 +24,10 @@ class Clock {
     /// While paused: the next frame simulates so many substeps.
     void stepOnce(int steps) { once_ += steps; }
     /// Each frame simulates 1/60 s times speed() from now on, however long it takes: for a video.
-    void setFixed(bool fixed) { fixed_ = fixed; }
+    void setFixed(bool fixed);
+    /// The frame that is going on does not count: what it did, such as building a wall, is not what
+    /// frames are for, and its length is not made up for.
+    void skip() { skip_ = true; }
 
     /// Substeps for a frame that begins `elapsed` s after the last one did.
     int tick(double elapsed);
@@ -50,7 +53,7 @@ class Clock {
         double elapsed, wanted, simulated;  ///< s
     };
     double step_, speed_ = 1;
-    bool paused_ = false, fixed_ = false;
+    bool paused_ = false, fixed_ = false, skip_ = false;
     int once_ = 0;
     double owed_ = 0, dropped_ = 0;  ///< s of simulated time
     double budget_ = kMostWork;      ///< s of work for this frame

@@ -10,8 +10,6 @@ using gl::Input;
 using gl::Key;
 
 constexpr double kShotsApart = 0.12;  // s, while the mouse is dragged
-/// In worlds with more cells than this nothing is sought under a mouse that presses no button.
-constexpr int kMostHoveredCells = 20000;
 
 template <class Value, std::size_t Count>
 void next(Session& session, const char* name, Value& value, const Value (&values)[Count]) {
@@ -97,6 +95,8 @@ bool pressKey(Session& session, Key key, const gl::Modifiers& with) {
         case static_cast<int>(Key::Escape):
             if (session.help)
                 session.help = false;
+            else if (session.lookedAt)
+                session.lookedAt.reset();
             else if (session.window.fullScreen())
                 session.setFullScreen(false);
             break;
@@ -139,6 +139,7 @@ void turnWheel(Session& session, const Input& input) {
 
 bool Controls::handle(Session& session, const Interface& ui, double elapsed) {
     sinceShot_ += elapsed;
+    for (const std::string& path : session.window.input().dropped) session.openScene(path);
     handleMouse(session, ui);
     return handleKeys(session, ui, elapsed);
 }
@@ -161,14 +162,15 @@ void Controls::handleMouse(Session& session, const Interface& ui) {
     for (const Input::Click& click : input.clicks)
         if (session.area.contains(click.x, click.y) && !ui.wantsMouse()) press(session, click);
 
-    // Where the mouse points. That costs a GPU solver's state: not for many cells, and seldom while
-    // the mouse rests.
+    // Where the mouse points. That costs a GPU solver's state and a look at every cell: seldom
+    // while no button is pressed, and more so while the mouse rests.
     const bool moved = input.moveX != 0 || input.moveY != 0;
-    const bool few = session.stage->simulation.world().cellCount() <= kMostHoveredCells;
-    if (!over && drag_ != Drag::Hit)
+    if (!over)
         session.hovered.reset();
-    else if (drag_ == Drag::Hit || (few && drag_ == Drag::None && (moved || ++sinceLook_ > 15)))
+    else if (drag_ == Drag::Hit)
         lookAt(session, input.x, input.y);
+    else if (drag_ == Drag::None && (moved || ++sinceLook_ > 15))
+        hovering_.now([&] { lookAt(session, input.x, input.y); });
 
     if (over && input.wheel != 0) turnWheel(session, input);
     if (drag_ == Drag::Orbit)
@@ -190,7 +192,7 @@ void Controls::press(Session& session, const Input::Click& click) {
     lookAt(session, click.x, click.y);
     drag_ = session.hovered ? Drag::Hit : Drag::Orbit;
     if (!session.hovered) return;
-    if (click.with.alt) {
+    if (click.with.alt || click.with.control) {
         session.look(*session.hovered);
         drag_ = Drag::None;
     } else if (session.settings.tool == Tool::Look) {

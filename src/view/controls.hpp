@@ -1,4 +1,5 @@
 #pragma once
+#include "view/every.hpp"
 #include "view/interface.hpp"
 #include "view/session.hpp"
 
@@ -24,6 +25,7 @@ class Controls {
     Drag drag_ = Drag::None;
     double sinceShot_ = 0;  ///< s
     int sinceLook_ = 0;     ///< frames since the spot under a resting mouse was sought
+    Every hovering_{0, 0.05};
 };
 
 }  // namespace sunder::view

@@ -14,7 +14,7 @@ EventLog::EventLog(const std::filesystem::path& path) : path_(path) {
 
 void EventLog::add(const char* name, nlohmann::ordered_json fields) {
     if (!file_) return;
-    nlohmann::ordered_json line = {{"event", name}};
+    nlohmann::ordered_json line = {{"event", name}, {"frame", frame_}};
     line.update(fields);
     *file_ << line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
     if (*file_) return;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 namespace sunder::view {
@@ -76,8 +77,9 @@ void setStyle(float scale) {
     colours[ImGuiCol_Header] = field;
     colours[ImGuiCol_HeaderHovered] = raised;
     colours[ImGuiCol_HeaderActive] = raised;
-    colours[ImGuiCol_SliderGrab] = accent;
-    colours[ImGuiCol_SliderGrabActive] = accent;
+    // The number shows through.
+    colours[ImGuiCol_SliderGrab] = mix(accent, 0.55f);
+    colours[ImGuiCol_SliderGrabActive] = mix(accent, 0.8f);
     colours[ImGuiCol_CheckMark] = accent;
     colours[ImGuiCol_Tab] = ground;
     colours[ImGuiCol_TabHovered] = raised;
@@ -160,10 +162,13 @@ void Interface::mark(const std::string& name) {
     widgets_[name] = {low.x * d, low.y * d, high.x * d, high.y * d};
 }
 
+bool Interface::hovered() {
+    // While somebody drags a tooltip would hide the value.
+    return !ImGui::IsAnyItemActive() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled);
+}
+
 void Interface::tooltip(std::string_view text) const {
-    // While somebody drags it would hide the value.
-    if (ImGui::IsAnyItemActive()) return;
-    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    if (text.empty() || !hovered()) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
@@ -204,7 +209,9 @@ int Interface::choice(const std::string& name, std::span<const std::string_view>
             ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.08f, 0.07f, 0.05f, 1));
         }
         const std::string id = name + "." + text;
+        ImGui::PushID(i);  // labels may be alike
         if (ImGui::Button((text + "###" + id).c_str())) clicked = i;
+        ImGui::PopID();
         if (i == chosen) ImGui::PopStyleColor(3);
         mark(id);
         if (i < static_cast<int>(help.size())) tooltip(help[i]);
@@ -220,17 +227,34 @@ void Interface::label(const char* text, std::string_view help) {
     ImGui::SameLine(length(70));
 }
 
-bool Interface::slider(const std::string& name, double& value, double min, double max,
-                       std::string_view unit, bool logarithmic, std::string_view help) {
-    const std::string format = unit == "1" ? "%.4g" : "%.4g " + std::string(unit);
+bool Interface::slider(const std::string& name, double& value, const Scale& scale,
+                       std::string_view unit, std::string_view help) {
+    const std::string suffix = unit == "1" ? std::string() : " " + std::string(unit);
     ImGui::SetNextItemWidth(-1);
     const ImGuiSliderFlags flags =
-        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat |
-        (logarithmic ? static_cast<int>(ImGuiSliderFlags_Logarithmic) : 0);
-    const bool changed = ImGui::SliderScalar(("###" + name).c_str(), ImGuiDataType_Double, &value,
-                                             &min, &max, format.c_str(), flags);
+        ImGuiSliderFlags_NoRoundToFormat |
+        (scale.logarithmic ? static_cast<int>(ImGuiSliderFlags_Logarithmic) : 0);
+    double shown = value / scale.unit;
+    const double min = scale.min / scale.unit, max = scale.max / scale.unit;
+    bool changed = ImGui::SliderScalar(("###" + name).c_str(), ImGuiDataType_Double, &shown, &min,
+                                       &max, ("%.4g" + suffix).c_str(), flags);
+    if (changed) value = std::clamp(shown * scale.unit, scale.least, scale.most);
     mark(name);
-    tooltip(help);
+    if (scale.home && value != *scale.home && ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
+        value = *scale.home;
+        changed = letGo_ = true;
+    }
+    if (!hovered()) return changed;
+    char range[160];
+    std::snprintf(range, sizeof range, "\n%.4g to %.4g%s. Ctrl + click: type a number.",
+                  scale.least / scale.unit, scale.most / scale.unit, suffix.c_str());
+    std::string text = std::string(help) + range;
+    if (scale.home) {
+        std::snprintf(range, sizeof range, " Right click: %.4g, as it was.",
+                      *scale.home / scale.unit);
+        text += range;
+    }
+    tooltip(text);
     return changed;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -50,18 +51,27 @@ class Interface {
                std::span<const std::string_view> help = {});
     /// Text in a column of its own, before a widget on the same line.
     void label(const char* text, std::string_view help = {});
-    /// As wide as the rest of the line. `unit` as in a material's table; "1": a plain number. True
-    /// while it is being changed.
-    bool slider(const std::string& name, double& value, double min, double max,
-                std::string_view unit, bool logarithmic, std::string_view help);
+    struct Scale {
+        double min, max;  ///< from end to end
+        bool logarithmic = true;
+        double least = min, most = max;             ///< what may be typed
+        std::optional<double> home = std::nullopt;  ///< where a right click takes it
+        double unit = 1;                            ///< what it is shown and typed in
+    };
+    /// As wide as the rest of the line. `unit`: its name; "1": a plain number. True while it is
+    /// being changed.
+    bool slider(const std::string& name, double& value, const Scale&, std::string_view unit,
+                std::string_view help);
     /// A heading with room above it.
     void heading(const char* text);
     /// The widget marked last was changed, and the mouse or keyboard has let go of it now.
     bool letGo() const { return letGo_; }
-    /// Over the last widget, after the mouse has rested on it.
+    /// Over the last widget, while the mouse is on it.
     void tooltip(std::string_view text) const;
 
   private:
+    /// Whether a tooltip is to be shown.
+    static bool hovered();
     void setScale(float scale);
 
     gl::Window& window_;

@@ -31,6 +31,8 @@ void Measurements::addPasses(const std::vector<gpu::PassTimer::Times>& times) {
     for (const gpu::PassTimer::Times& pass : times) {
         auto known = std::find_if(passes.begin(), passes.end(),
                                   [&](const auto& entry) { return entry.first == pass.pass; });
+        // A timer goes on naming the passes of a solver that is no longer there.
+        if (known == passes.end() && pass.milliseconds.empty()) continue;
         if (known == passes.end()) known = passes.insert(known, {pass.pass, History()});
         known->second.add(std::accumulate(pass.milliseconds.begin(), pass.milliseconds.end(), 0.));
     }

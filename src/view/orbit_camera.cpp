@@ -42,6 +42,7 @@ void OrbitCamera::orbit(double toTheRight, double upwards) {
 void OrbitCamera::pan(double toTheRight, double upwards) {
     const double height = 2 * distance_ * std::tan(fieldOfView_ * std::numbers::pi / 360);
     target_ -= height * (toTheRight * right() + upwards * up());
+    keepNear();
 }
 
 void OrbitCamera::zoom(double factor) {
@@ -51,6 +52,12 @@ void OrbitCamera::zoom(double factor) {
 void OrbitCamera::move(double ahead, double toTheRight, double upwards) {
     const Vec3 level(-std::sin(yaw_), 0, -std::cos(yaw_));
     target_ += ahead * level + toTheRight * right() + upwards * Vec3(0, 1, 0);
+    keepNear();
+}
+
+/// A scene's file has bounds for its camera, too.
+void OrbitCamera::keepNear() {
+    target_ = target_.cwiseMax(-kFarthest).cwiseMin(kFarthest);
 }
 
 CameraDescription OrbitCamera::description() const {

@@ -33,6 +33,7 @@ class OrbitCamera {
     double distance() const { return distance_; }
 
   private:
+    void keepNear();
     Vec3 right() const;
     Vec3 up() const { return right().cross(forward()); }
 

@@ -2,23 +2,19 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 #include <utility>
 
 #include "files/write_file.hpp"
 #include "image/image.hpp"
 #include "render/legend.hpp"
 #include "scene/scene_writer.hpp"
+#include "view/every.hpp"
 
 namespace sunder::view {
 namespace {
 
 namespace fs = std::filesystem;
-using Instant = std::chrono::steady_clock;
-
-double secondsSince(Instant::time_point start) {
-    return std::chrono::duration<double>(Instant::now() - start).count();
-}
-
 /// NAME.toml in the folder, or NAME where it is a path already. Throws InputError.
 fs::path tomlPath(const fs::path& folder, const std::string& name) {
     if (name.empty()) throw InputError("give a name to save it under");
@@ -39,8 +35,9 @@ Session::Session(gl::Window& shown, const Options& options, Settings remembered)
       opened_(loadScene(options.scene)) {
     if (!options.solver.empty()) settings.solver = findSolver(options.solver).name;
     const auto start = Instant::now();
-    stage = std::make_unique<Stage>(opened_, settings.solver, settings.sceneHits);
+    stage = newStage(opened_, nullptr);
     buildTime_ = secondsSince(start);
+    sayCompromises();
     if (!options.shaders.empty()) {
         shaders_.emplace(options.shaders);
         tryShaders();
@@ -53,21 +50,44 @@ Session::Session(gl::Window& shown, const Options& options, Settings remembered)
                         {"build_seconds", buildTime_}});
 }
 
+template <class Action>
+bool Session::attempt(Action&& action) {
+    try {
+        action();
+        return true;
+    } catch (const ContextError&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        say("There is not enough memory for that; use fewer cells", true);
+    } catch (const std::runtime_error& error) {
+        say(error.what(), true);
+    }
+    return false;
+}
+
+std::unique_ptr<Stage> Session::newStage(Scene scene, const State* state) {
+    auto next =
+        std::make_unique<Stage>(std::move(scene), settings.solver, settings.sceneHits, state);
+    next->rehearse(settings.mesh, settings.style);
+    return next;
+}
+
 bool Session::rebuild(Scene scene, const State* state) {
     const auto start = Instant::now();
-    try {
-        auto next =
-            std::make_unique<Stage>(std::move(scene), settings.solver, settings.sceneHits, state);
+    const bool built = attempt([&] {
+        auto next = newStage(std::move(scene), state);
+        if (state) next->colours.continueScales(stage->colours);
         stage = std::move(next);
-        ++generation_;
-    } catch (const InputError& error) {
-        say(error.what(), true);
-        return false;
-    }
+    });
+    clock.skip();
+    if (!built) return false;
+    ++generation_;
     buildTime_ = secondsSince(start);
     if (!state) {
+        ++layout_;
         lookedAt.reset();
         measurements.breaks = measurements.contacts = 0;
+        sayCompromises();
     }
     hovered.reset();
     pushes_.clear();
@@ -76,14 +96,14 @@ bool Session::rebuild(Scene scene, const State* state) {
     return true;
 }
 
+void Session::sayCompromises() {
+    if (stage->renderer.displayMesh().simplified())
+        say("Torn edges have fewer points than the materials ask for: there would be too many");
+}
+
 void Session::openScene(const std::string& nameOrPath) {
     Scene scene;
-    try {
-        scene = loadScene(nameOrPath);
-    } catch (const InputError& error) {
-        say(error.what(), true);
-        return;
-    }
+    if (!attempt([&] { scene = loadScene(nameOrPath); })) return;
     const Scene previous = std::exchange(opened_, scene);
     if (!rebuild(std::move(scene), nullptr)) {
         opened_ = previous;
@@ -116,28 +136,33 @@ void Session::newSeed() {
     say("A new wall, seed " + std::to_string(seed));
 }
 
+bool Session::mayWrite(const fs::path& path) {
+    std::error_code error;
+    if (!ownFiles_.insert(path).second || !fs::exists(path, error)) return true;
+    say(path.string() + " is there already; save again to replace it", true);
+    return false;
+}
+
 void Session::saveScene(const std::string& name) {
-    try {
+    attempt([&] {
         const fs::path path = tomlPath(folder, name);
+        if (!mayWrite(path)) return;
         Scene saved = scene();
         saved.camera = camera.description();
         writeFile(path, writeScene(saved));
         say("Saved; run it with: sunder run " + path.string());
         log.add("saved_scene", {{"path", path.string()}});
-    } catch (const InputError& error) {
-        say(error.what(), true);
-    }
+    });
 }
 
 void Session::saveMaterial(int index, const std::string& name) {
-    try {
+    attempt([&] {
         const fs::path path = tomlPath(folder, name);
+        if (!mayWrite(path)) return;
         writeFile(path, writeMaterial(scene().world.materials[index]));
         say("Saved; a scene uses it by: material = \"" + path.filename().string() + "\"");
         log.add("saved_material", {{"path", path.string()}});
-    } catch (const InputError& error) {
-        say(error.what(), true);
-    }
+    });
 }
 
 void Session::restart() {
@@ -148,8 +173,12 @@ void Session::restart() {
 }
 
 void Session::setSceneHits(bool wanted) {
-    settings.sceneHits = wanted;
-    buildScene(scene(), wanted ? "scene_hits_on" : "scene_hits_off");
+    const bool before = std::exchange(settings.sceneHits, wanted);
+    if (!rebuild(scene(), nullptr)) {
+        settings.sceneHits = before;
+        return;
+    }
+    log.add(wanted ? "scene_hits_on" : "scene_hits_off");
 }
 
 void Session::setPaused(bool paused) {
@@ -170,12 +199,9 @@ void Session::setSpeed(double speed) {
 
 void Session::setSolver(const std::string& name) {
     if (name == stage->simulation.solverInfo().name) return;
-    try {
-        stage->simulation.setSolver(name);
-    } catch (const InputError& error) {
-        say(error.what(), true);
-        return;
-    }
+    const bool set = attempt([&] { stage->simulation.setSolver(name); });
+    clock.skip();
+    if (!set) return;
     settings.solver = name;
     measurements.passes.clear();
     clock.setStep(clock.step());  // what a step costs is no longer known
@@ -246,18 +272,19 @@ void Session::hitPreset(int number) {
     hit(spot, direction, kTap);
 }
 
-void Session::savePicture(const Image& image) {
+void Session::addLegend(Image& picture) const {
+    if (settings.colour != WallColour::Material) drawLegend(picture, stage->colours.key());
+}
+
+void Session::savePicture(Image picture) {
     pictureWanted_ = false;
-    try {
+    attempt([&] {
         const fs::path path = freshFile(folder, scene().name, ".png");
-        Image picture = image;
-        if (settings.colour != WallColour::Material) drawLegend(picture, stage->colours.key());
+        addLegend(picture);
         writePng(path, picture);
         say("Picture saved: " + path.string());
         log.add("picture", {{"path", path.string()}});
-    } catch (const InputError& error) {
-        say(error.what(), true);
-    }
+    });
 }
 
 void Session::toggleRecording() {
@@ -282,9 +309,10 @@ void Session::toggleRecording() {
     }
 }
 
-void Session::record(const Image& image) {
+void Session::record(Image picture) {
     try {
-        if (recorder_->add(image)) return;
+        addLegend(picture);
+        if (recorder_->add(picture)) return;
         say("The window has another size now; the video ends before");
         toggleRecording();
     } catch (const InputError& error) {
@@ -295,26 +323,25 @@ void Session::record(const Image& image) {
 }
 
 void Session::tryShaders() {
-    gl::useShaders(shaders_->source());
+    const gl::ShaderSource source = shaders_->source();
+    gl::useShaders(source);
     const State state = stage->simulation.state();
+    clock.skip();
     try {
-        auto next = std::make_unique<Stage>(scene(), settings.solver, settings.sceneHits, &state);
-        // Some programs are made when they are first used: now, as mistakes have to show here.
-        for (const DrawnMesh mesh : {DrawnMesh::Simulation, DrawnMesh::Display})
-            for (const DrawStyle style : {DrawStyle::Wireframe, DrawStyle::Solid}) {
-                RenderSettings small;
-                small.width = small.height = 16;
-                small.mesh = mesh;
-                small.style = style;
-                next->renderer.render(next->simulation.view(), opened_.camera, small);
-            }
+        auto next = newStage(scene(), &state);
+        for (const DrawnMesh mesh : kDrawnMeshes)
+            for (const DrawStyle style : kDrawStyles) next->rehearse(mesh, style);
+        next->colours.continueScales(stage->colours);
         stage = std::move(next);
+        soundShaders_ = source;
         ++generation_;
         shaderError_.clear();
         log.add("shaders", {{"error", nullptr}});
+    } catch (const ContextError&) {
+        throw;
     } catch (const std::runtime_error& error) {
         // The programs that run go on, and what is made meanwhile is made of sound ones.
-        gl::useShaders(gl::embeddedShaders());
+        gl::useShaders(soundShaders_);
         shaderError_ = error.what();
         log.add("shaders", {{"error", shaderError_}});
     }

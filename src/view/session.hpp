@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,8 @@ class Session {
     double buildTime() const { return buildTime_; }
     /// Another number for each stage.
     int generation() const { return generation_; }
+    /// Another number for each wall: materials change it not.
+    int layout() const { return layout_; }
 
     // --- time ---
     void restart();
@@ -90,11 +93,11 @@ class Session {
     // --- pictures ---
     void takePicture() { pictureWanted_ = true; }
     bool pictureWanted() const { return pictureWanted_; }
-    void savePicture(const Image&);
+    void savePicture(Image);
     void toggleRecording();
     bool recording() const { return recorder_.has_value(); }
     const Recorder& recorder() const { return *recorder_; }
-    void record(const Image&);
+    void record(Image);
 
     /// Builds everything again when a shader changed.
     void watchShaders();
@@ -125,19 +128,31 @@ class Session {
     std::filesystem::path folder;
 
   private:
+    /// Does it, or says why it cannot be done. What ends the program, such as a lost context, is
+    /// thrown all the same.
+    template <class Action>
+    bool attempt(Action&&);
     /// Replaces the stage, or says why not.
     bool rebuild(Scene, const State*);
+    std::unique_ptr<Stage> newStage(Scene, const State*);
+    /// Says what the wall that stands now is not as its scene has it.
+    void sayCompromises();
+    /// Whether a file may be written: it is new, or was written before, or is asked for again.
+    bool mayWrite(const std::filesystem::path&);
+    void addLegend(Image&) const;
     /// Builds everything with the folder's shaders, or says why not.
     void tryShaders();
 
     Scene opened_;
     double buildTime_ = 0;
-    int generation_ = 0;
+    int generation_ = 0, layout_ = 0;
     std::vector<Push> pushes_;
     bool pictureWanted_ = false;
     std::optional<Recorder> recorder_;
     std::optional<ShaderFolder> shaders_;
+    gl::ShaderSource soundShaders_ = gl::embeddedShaders();  ///< the last that worked
     std::string shaderError_;
+    std::set<std::filesystem::path> ownFiles_;  ///< that may be replaced
     std::deque<Message> messages_;
 };
 

@@ -1,7 +1,10 @@
 #include "view/shader_folder.hpp"
 
 #include <fstream>
+#include <functional>
 #include <iterator>
+#include <map>
+#include <memory>
 #include <utility>
 
 #include "core/types.hpp"
@@ -19,29 +22,43 @@ ShaderFolder::ShaderFolder(fs::path folder) : folder_(std::move(folder)) {
     stamp_ = stamp();
 }
 
+template <class Visit>
+void ShaderFolder::eachFile(Visit&& visit) const {
+    std::error_code error;
+    for (fs::recursive_directory_iterator at(folder_, error), end; !error && at != end;
+         at.increment(error)) {
+        // An editor's own files come and go.
+        const std::string extension = at->path().extension().string();
+        if (extension == ".glsl" || extension == ".vert" || extension == ".geom" ||
+            extension == ".frag" || extension == ".h")
+            visit(*at);
+    }
+}
+
 gl::ShaderSource ShaderFolder::source() const {
-    return [folder = folder_](std::string_view name) -> std::optional<std::string> {
-        std::ifstream file(folder / name, std::ios::binary);
-        if (!file) return std::nullopt;
-        return std::string(std::istreambuf_iterator<char>(file), {});
+    auto texts = std::make_shared<std::map<std::string, std::string, std::less<>>>();
+    eachFile([&](const fs::directory_entry& entry) {
+        std::ifstream file(entry.path(), std::ios::binary);
+        if (!file) return;
+        (*texts)[entry.path().lexically_relative(folder_).generic_string()] =
+            std::string(std::istreambuf_iterator<char>(file), {});
+    });
+    return [texts](std::string_view name) -> std::optional<std::string> {
+        const auto text = texts->find(name);
+        return text == texts->end() ? std::nullopt : std::optional(text->second);
     };
 }
 
 std::uint64_t ShaderFolder::stamp() const {
     // A sum over all files, whose order is not certain, tells also of one that went.
     std::uint64_t sum = 0;
-    std::error_code error;
-    for (fs::recursive_directory_iterator at(folder_, error), end; at != end; at.increment(error)) {
-        if (error) break;
-        const auto time = at->last_write_time(error);
-        // An editor's own files come and go.
-        const std::string extension = at->path().extension().string();
-        const bool shader = extension == ".glsl" || extension == ".vert" || extension == ".geom" ||
-                            extension == ".frag" || extension == ".h";
-        if (error || !shader) continue;
+    eachFile([&](const fs::directory_entry& entry) {
+        std::error_code error;
+        const auto time = entry.last_write_time(error);
+        if (error) return;
         const auto ticks = static_cast<std::uint64_t>(time.time_since_epoch().count());
-        sum += (ticks ^ fs::hash_value(at->path())) * 0x9e3779b97f4a7c15u;
-    }
+        sum += (ticks ^ fs::hash_value(entry.path())) * 0x9e3779b97f4a7c15u;
+    });
     return sum;
 }
 

@@ -1,5 +1,6 @@
 #include "view/simulation.hpp"
 
+#include "core/body_host.hpp"
 #include "gpu/pass_timer.hpp"
 
 namespace sunder::view {
@@ -12,7 +13,7 @@ WorldDescription played(WorldDescription world, bool hits) {
 
 }  // namespace
 
-void apply(const Push& push, const World& world, State& state) {
+void apply(const Push& push, const World& world, State& state, std::set<int>& bodies) {
     if (push.object >= 0) {
         if (world.objects()[push.object].inverseMass > 0)
             state.objects[push.object].velocity += push.velocity;
@@ -26,7 +27,9 @@ void apply(const Push& push, const World& world, State& state) {
             const Vec3 place = world.restPosition(node) + state.displacement[node];
             const double away = (place - push.place).squaredNorm();
             // Joined copies of a node are at the same place to the bit, so they stay together.
-            if (away < reach) state.velocity[node] += (1 - away / reach) * push.velocity;
+            if (away >= reach) continue;
+            state.velocity[node] += (1 - away / reach) * push.velocity;
+            bodies.insert(world.bodyOf(cell));
         }
     }
 }
@@ -65,8 +68,12 @@ void Simulation::restart() {
 void Simulation::advance(const std::vector<Push>& pushes, int steps) {
     if (!pushes.empty()) {
         State pushed = state();
-        for (const Push& push : pushes) apply(push, world_, pushed);
-        solver_->setState(pushed);
+        std::set<int> bodies;
+        for (const Push& push : pushes) apply(push, world_, pushed, bodies);
+        if (auto* host = dynamic_cast<BodyHost*>(solver_.get()))
+            host->adopt({bodies.begin(), bodies.end()}, pushed);
+        else
+            solver_->setState(pushed);
         state_.reset();
     }
     if (steps < 1) return;
@@ -83,21 +90,6 @@ const State& Simulation::state() {
 
 void Simulation::timePasses(gpu::PassTimer* timer) {
     if (auto* onGpu = dynamic_cast<gpu::GpuSolver*>(solver_.get())) onGpu->setPassTimer(timer);
-}
-
-bool Simulation::sameLayout(const Scene& other) const {
-    const WorldDescription &a = scene_.world, &b = other.world;
-    if (a.bodies.size() != b.bodies.size() || a.objects.size() != b.objects.size()) return false;
-    for (std::size_t i = 0; i < a.bodies.size(); ++i) {
-        const BodyDescription &mine = a.bodies[i], &theirs = b.bodies[i];
-        if (mine.cells != theirs.cells || mine.size != theirs.size ||
-            mine.position != theirs.position || mine.anchors != theirs.anchors ||
-            mine.regions.size() != theirs.regions.size())
-            return false;
-        for (std::size_t r = 0; r < mine.regions.size(); ++r)
-            if ((mine.regions[r].material < 0) != (theirs.regions[r].material < 0)) return false;
-    }
-    return true;
 }
 
 }  // namespace sunder::view

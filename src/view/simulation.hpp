@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,8 @@ struct Push {
     int object = -1;         ///< this object is pushed as a whole instead
 };
 
-/// Adds a push's velocity to a state.
-void apply(const Push&, const World&, State&);
+/// Adds a push's velocity to a state, and the bodies that it moved to others.
+void apply(const Push&, const World&, State&, std::set<int>& bodies);
 
 /// A world and the solver that advances it. Needs a current GL context.
 class Simulation {
@@ -39,9 +40,9 @@ class Simulation {
     /// Goes on with another one from the same state. Throws InputError, and then nothing changed.
     void setSolver(const std::string& name);
     void restart();
-    /// Pushes, then advances, then waits until it is done. Each push costs a GPU solver the way of
-    /// its state to the CPU and back: they are for a hand on a mouse, not for a game's hundred
-    /// explosions.
+    /// Pushes, then advances, then waits until it is done. Bodies that nothing pushes sleep on.
+    /// Each push costs a GPU solver the way of its state to the CPU and back: they are for a hand
+    /// on a mouse, not for a game's hundred explosions.
     void advance(const std::vector<Push>&, int steps);
 
     /// The last state, fetched at most once per advance().
@@ -51,10 +52,6 @@ class Simulation {
     void timePasses(gpu::PassTimer*);
     /// Cells and bonds of which something was heard since the last call.
     std::vector<Incident> takeIncidents() { return incidents_.take(); }
-
-    /// Whether a state of this world may go on in that of another scene: the same cells and
-    /// objects.
-    bool sameLayout(const Scene&) const;
 
   private:
     void adopt(std::unique_ptr<Solver>, const SolverInfo&);

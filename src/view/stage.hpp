@@ -11,15 +11,26 @@ namespace sunder::view {
 /// new one fails, the old one goes on.
 class Stage {
   public:
+    /// Throws InputError for a scene that cannot be laid out or drawn.
     Stage(Scene scene, const std::string& solver, bool hits, const State* state = nullptr)
         : simulation(std::move(scene), solver, hits, state),
           renderer(simulation.world(), simulation.buffers()),
-          colours(simulation.world()) {}
+          colours(simulation.world()),
+          picker_(simulation.world(), renderer.displayMesh()) {}
 
-    /// What is under a ray. The first call makes the picker.
+    /// What is under a ray.
     std::optional<Spot> pick(const Vec3& origin, const Vec3& direction) {
-        if (!picker_) picker_.emplace(simulation.world(), renderer.displayMesh());
-        return picker_->pick(simulation.state(), origin, direction);
+        return picker_.pick(simulation.state(), origin, direction);
+    }
+
+    /// Draws a small picture: some programs are made when they are first used, and what is wrong
+    /// with one has to show before this stage is the one that goes on.
+    void rehearse(DrawnMesh mesh, DrawStyle style) {
+        RenderSettings small;
+        small.width = small.height = 16;
+        small.mesh = mesh;
+        small.style = style;
+        renderer.render(simulation.view(), simulation.scene().camera, small);
     }
 
     Simulation simulation;
@@ -27,7 +38,7 @@ class Stage {
     CellColours colours;
 
   private:
-    std::optional<Picker> picker_;
+    Picker picker_;
 };
 
 }  // namespace sunder::view

@@ -1,35 +1,16 @@
 #include "view/viewer.hpp"
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "gpu/pass_timer.hpp"
 #include "view/controls.hpp"
+#include "view/every.hpp"
 #include "view/panels/panels.hpp"
 
 namespace sunder::view {
 namespace {
-
-using Instant = std::chrono::steady_clock;
-
-double seconds(Instant::duration duration) {
-    return std::chrono::duration<double>(duration).count();
-}
-
-/// Every so many seconds.
-class Every {
-  public:
-    explicit Every(double period) : period_(period) {}
-    bool due(Instant::time_point now) {
-        if (seconds(now - last_) < period_) return false;
-        last_ = now;
-        return true;
-    }
-
-  private:
-    double period_;
-    Instant::time_point last_{};
-};
 
 class Viewer {
   public:
@@ -37,17 +18,12 @@ class Viewer {
         : window_(window), session_(window, options, settings), interface_(window) {}
 
     void run() {
-        auto last = Instant::now();
-        while (!window_.closing()) {
-            window_.poll();
-            const auto now = Instant::now();
-            const double elapsed = seconds(now - std::exchange(last, now));
-            // Nobody sees it; time stands still, too.
-            if (window_.minimised()) {
-                logStatus(now);
-                continue;
-            }
-            if (!frame(elapsed, now)) break;
+        session_.clock.skip();  // windows take their time to open
+        try {
+            goOn();
+        } catch (...) {
+            remember();
+            throw;
         }
         remember();
         session_.stage.reset();
@@ -56,33 +32,58 @@ class Viewer {
     void sayProblem(const std::string& text) { session_.say(text, true); }
 
   private:
-    bool frame(double elapsed, Instant::time_point now) {
+    void goOn() {
+        auto last = Instant::now();
+        while (!window_.closing()) {
+            // Nothing moves while it is paused, so a frame then waits for what the user does.
+            constexpr double kFrame = 1.0 / 60;
+            const bool still = session_.clock.paused();
+            window_.poll(still ? std::max(0.0, kFrame - secondsSince(last)) : 0);
+            const auto now = Instant::now();
+            const double elapsed = seconds(now - std::exchange(last, now));
+            // Nobody sees it; time stands still, too.
+            if (window_.minimised()) {
+                session_.clock.skip();
+                logStatus();
+                continue;
+            }
+            if (!frame(elapsed)) break;
+        }
+    }
+
+    bool frame(double elapsed) {
+        const auto start = Instant::now();
+        session_.log.beginFrame(frames_);
         interface_.begin(session_.settings.interfaceScale);
         layOut();
         const bool goOn = controls_.handle(session_, interface_, elapsed);
         session_.measurements.frame.add(1000 * elapsed);
-        simulate(elapsed);
-        observe(now);
+        double other = simulate(elapsed);
+        observe();
 
         // Panels first: what they change is in this frame's picture already.
-        auto start = Instant::now();
         drawPanels(session_, interface_, drafts_);
-        double interfaceTime = seconds(Instant::now() - start);
-        drawScene();
-        start = Instant::now();
+        other += drawScene();
         {
             const gpu::TimedPass timed(session_.measuring ? &drawingTimer_ : nullptr, "panels");
             interface_.draw();
         }
-        interfaceTime += seconds(Instant::now() - start);
-        session_.measurements.interface.add(1000 * interfaceTime);
+        // All that `sunder run` has not.
+        session_.measurements.interface.add(1000 * (secondsSince(start) - other));
         window_.swap();
 
         ++frames_;
-        for (const std::string& error : window_.takeErrors())
-            session_.log.add("gl_error", {{"text", error}});
-        logStatus(now);
+        sayErrors();
+        logStatus();
         return goOn;
+    }
+
+    /// Each once: a broken draw reports the same every frame.
+    void sayErrors() {
+        for (const std::string& error : window_.takeErrors()) {
+            session_.log.add("gl_error", {{"text", error}});
+            if (saidErrors_.insert(error).second) session_.say("OpenGL: " + error, true);
+        }
     }
 
     /// The scene has what the panel leaves of the window.
@@ -96,35 +97,40 @@ class Viewer {
                          std::max(1, window_.height())};
     }
 
-    void simulate(double elapsed) {
+    /// Returns how long it took, s.
+    double simulate(double elapsed) {
         Simulation& simulation = session_.stage->simulation;
         const int steps = session_.clock.tick(elapsed);
         controls_.holdHits(session_, steps * simulation.world().step());
+        const std::vector<Push> pushes = session_.takePushes();
+        if (!pushes.empty()) session_.log.add("pushed", {{"steps", steps}});
         // Passes are only timed while somebody looks: in software each of them is waited for.
         simulation.timePasses(session_.measuring ? &simulationTimer_ : nullptr);
         const auto start = Instant::now();
-        simulation.advance(session_.takePushes(), steps);
-        const double cost = seconds(Instant::now() - start);
+        simulation.advance(pushes, steps);
+        const double cost = secondsSince(start);
         session_.clock.took(steps, cost);
         session_.measurements.simulation.add(1000 * cost);
+        return cost;
     }
 
     /// What is found out now and then, or only for who looks.
-    void observe(Instant::time_point now) {
+    void observe() {
         Measurements& measurements = session_.measurements;
         Simulation& simulation = session_.stage->simulation;
         for (const Incident& incident : simulation.takeIncidents())
             ++(incident.kind == Incident::Kind::Break ? measurements.breaks
                                                       : measurements.contacts);
-        if (diagnosis_.due(now))
-            measurements.diagnostics = diagnose(simulation.world(), simulation.state());
-        if (session_.settings.colour != WallColour::Material)
-            session_.stage->colours.update(simulation.state(), session_.settings.colour);
-        if (shaderLook_.due(now)) session_.watchShaders();
+        if (session_.measuring || session_.log.enabled())
+            diagnosis_.now([&] {
+                measurements.diagnostics = diagnose(simulation.world(), simulation.state());
+            });
+        shaderLook_.now([&] { session_.watchShaders(); });
         session_.forgetOldMessages();
     }
 
-    void drawScene() {
+    /// Returns how long it took, s.
+    double drawScene() {
         const auto start = Instant::now();
         Stage& stage = *session_.stage;
         const Settings& settings = session_.settings;
@@ -134,7 +140,10 @@ class Viewer {
         render.samples = settings.samples;
         render.mesh = settings.mesh;
         render.style = settings.style;
-        if (settings.colour != WallColour::Material) render.colours = &stage.colours;
+        if (settings.colour != WallColour::Material) {
+            stage.colours.update(stage.simulation.state(), settings.colour);
+            render.colours = &stage.colours;
+        }
         if (session_.measuring) render.timer = &drawingTimer_;
         interface_.clear();
         stage.renderer.render(stage.simulation.view(), session_.camera.description(), render);
@@ -147,11 +156,16 @@ class Viewer {
             session_.measurements.addPasses(simulationTimer_.take());
             session_.measurements.addPasses(drawingTimer_.take());
         }
-        session_.measurements.drawing.add(1000 * seconds(Instant::now() - start));
+        const double cost = secondsSince(start);
+        session_.measurements.drawing.add(1000 * cost);
+        return cost;
     }
 
-    void logStatus(Instant::time_point now) {
-        if (!session_.log.enabled() || !status_.due(now)) return;
+    void logStatus() {
+        if (session_.log.enabled()) status_.now([&] { writeStatus(); });
+    }
+
+    void writeStatus() {
         const Settings& settings = session_.settings;
         const Measurements& m = session_.measurements;
         const Scene& scene = session_.scene();
@@ -160,8 +174,7 @@ class Viewer {
         nlohmann::ordered_json materials = nlohmann::ordered_json::array();
         for (const Material& material : scene.world.materials) materials.push_back(material.name);
         const ViewArea& area = session_.area;
-        session_.log.add("status", {{"frame", frames_},
-                                    {"time", session_.stage->simulation.time()},
+        session_.log.add("status", {{"time", session_.stage->simulation.time()},
                                     {"scene", scene.name},
                                     {"seed", scene.world.seed},
                                     {"materials", materials},
@@ -195,8 +208,9 @@ class Viewer {
     void remember() {
         if (session_.recording()) session_.toggleRecording();
         Settings& settings = session_.settings;
-        settings.width = window_.plainWidth();
-        settings.height = window_.plainHeight();
+        // A settings file has its bounds.
+        settings.width = std::clamp(window_.plainWidth(), 320, 16384);
+        settings.height = std::clamp(window_.plainHeight(), 240, 16384);
         try {
             writeSettings(settingsFile(), settings);
         } catch (const InputError& error) {
@@ -211,7 +225,8 @@ class Viewer {
     Drafts drafts_;
     gpu::PassTimer simulationTimer_{window_.info().software};
     gpu::PassTimer drawingTimer_{window_.info().software};
-    Every diagnosis_{0.25}, shaderLook_{0.5}, status_{0.1};
+    Every diagnosis_{0.25, 0.05}, shaderLook_{0.5}, status_{0.1};
+    std::set<std::string> saidErrors_;
     std::int64_t frames_ = 0;
 };
 
@@ -231,7 +246,9 @@ void view(const Options& options) {
         settings.fullScreen = false;
     }
     if (!options.solver.empty()) findSolver(options.solver);
-    loadScene(options.scene);  // a wrong name is a sentence, not a window that vanishes
+    // What is wrong is a sentence, not a window that vanishes.
+    loadScene(options.scene);
+    if (!options.shaders.empty()) ShaderFolder check(options.shaders);
     gl::Window::Options shown;
     shown.title = "Sunder";
     shown.width = settings.width;

@@ -1,6 +1,7 @@
 // Bodies at rest sleep, on the solvers that let them (core/sleep.hpp).
 #include "core/sleep.hpp"
 #include "catch.hpp"
+#include "core/body_host.hpp"
 #include "core/diagnostics.hpp"
 #include "support/solver_under_test.hpp"
 #include "support/worlds.hpp"
@@ -54,6 +55,15 @@ TEST_CASE("a settled wall falls asleep, does not change by a bit, and a push wak
         for (int node = half; node < world.nodeCount(); ++node) {
             CHECK(awake.displacement[node] == asleep.displacement[node]);
             CHECK(awake.velocity[node] == asleep.velocity[node]);
+        }
+        // A body that is given another state goes on from there, and others sleep on.
+        if (auto* host = dynamic_cast<BodyHost*>(solver.get())) {
+            State pushed = awake;
+            for (int node = 0; node < half; ++node) pushed.velocity[node] += Vec3(0, 0.25, 0);
+            host->adopt({0}, pushed);
+            CHECK(stateHash(solver->state()) == stateHash(pushed));
+            CHECK(!solver->asleep(0));
+            CHECK(solver->asleep(1));
         }
         solver->setState(asleep);
         CHECK(!solver->asleep(1));

@@ -1,6 +1,8 @@
 // The viewer's clock, with time that the test makes up.
 #include "view/clock.hpp"
 
+#include <cmath>
+
 #include "catch.hpp"
 
 using sunder::view::Clock;
@@ -106,4 +108,23 @@ TEST_CASE("For a video each frame is as long as the others, however long it took
     for (const double elapsed : {0.001, 3.0, 0.016}) CHECK(clock.tick(elapsed) == 50);
     clock.setSpeed(0.5);
     CHECK(clock.tick(1) == 25);
+}
+
+TEST_CASE("Slow motion in a video simulates its share of time, in whole substeps", "[view]") {
+    // At a 64th of the speed and ten substeps a frame, six frames of seven simulate nothing.
+    Clock clock(1.0 / 600);
+    clock.setFixed(true);
+    clock.setSpeed(Clock::kSlowest);
+    int total = 0;
+    for (int frame = 0; frame < 640; ++frame) total += clock.tick(0.1);
+    CHECK(std::abs(total - 100) <= 1);
+}
+
+TEST_CASE("The time that a wall takes to build is not simulated", "[view]") {
+    Clock clock(kStep);
+    play(clock, 10, 1.0 / 60, 1e-6);
+    clock.skip();
+    CHECK(clock.tick(0.4) <= 51);
+    CHECK(clock.dropped() == 0);
+    CHECK(clock.tick(1.0 / 30) >= 99);  // from then on time counts as before
 }

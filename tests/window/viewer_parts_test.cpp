@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "catch.hpp"
 #include "cpu/cpu_solver.hpp"
@@ -142,7 +143,9 @@ TEST_CASE("A ray finds the object in front of the wall", "[view]") {
 
     // Pushed, it moves; the wall does not.
     state.objects[0].present = true;
-    apply({state.objects[0].position, Vec3(0, 0, -3), 0.5, 0}, world, state);
+    std::set<int> bodies;
+    apply({state.objects[0].position, Vec3(0, 0, -3), 0.5, 0}, world, state, bodies);
+    CHECK(bodies.empty());
     CHECK(state.objects[0].velocity == Vec3(0, 0, -3));
     CHECK(state.velocity[0] == Vec3(0, 0, 0));
 }
@@ -151,7 +154,9 @@ TEST_CASE("A push moves what is near the spot, less towards the rim, and tears n
           "[view]") {
     State state = wall().initialState();
     const Push push{Vec3(0.2, 1.1, 0.05), Vec3(0, 0, -40), 0.3, -1};
-    apply(push, wall(), state);
+    std::set<int> bodies;
+    apply(push, wall(), state, bodies);
+    CHECK(bodies == std::set<int>{0});
     double fastest = 0;
     int pushed = 0;
     for (int node = 0; node < wall().nodeCount(); ++node) {
@@ -175,9 +180,21 @@ TEST_CASE("A push moves what is near the spot, less towards the rim, and tears n
             CHECK(after.displacement[kCorners * cell + 1] == after.displacement[kCorners * right]);
 }
 
+TEST_CASE("A push tells which bodies it moves, no others", "[view]") {
+    const World world(loadScene("stress").world);
+    State state = world.initialState();
+    const Body& body = world.bodies()[17];
+    std::set<int> bodies;
+    apply({body.origin + Vec3(2.7, 1.6, 0), Vec3(0, 0, -10), 0.6, -1}, world, state, bodies);
+    CHECK(bodies == std::set<int>{17});
+    for (int cell = 0; cell < world.cellCount(); ++cell)
+        if (world.bodyOf(cell) != 17) REQUIRE(state.velocity[kCorners * cell].isZero(0));
+}
+
 TEST_CASE("Anchored nodes are not pushed", "[view]") {
     State state = wall().initialState();
-    apply({Vec3(0, 0, 0), Vec3(0, 0, -40), 0.4, -1}, wall(), state);
+    std::set<int> bodies;
+    apply({Vec3(0, 0, 0), Vec3(0, 0, -40), 0.4, -1}, wall(), state, bodies);
     int moving = 0;
     for (int node = 0; node < wall().nodeCount(); ++node) {
         if (wall().anchored(node)) CHECK(state.velocity[node] == Vec3(0, 0, 0));
@@ -251,8 +268,9 @@ TEST_CASE("A folder of shaders is read as it is, and tells that it changed", "[v
     const fs::path file = folder.path / "draw" / "sky.frag";
     std::ofstream(file) << "one";
     ShaderFolder shaders(folder.path);
-    CHECK(shaders.source()("draw/sky.frag") == "one");
-    CHECK_FALSE(shaders.source()("draw/gone.frag"));
+    const gl::ShaderSource first = shaders.source();
+    CHECK(first("draw/sky.frag") == "one");
+    CHECK_FALSE(first("draw/gone.frag"));
     CHECK_FALSE(shaders.changed());
     std::ofstream(folder.path / "draw" / ".sky.frag.swp") << "an editor's";
     CHECK_FALSE(shaders.changed());
@@ -261,4 +279,5 @@ TEST_CASE("A folder of shaders is read as it is, and tells that it changed", "[v
     CHECK(shaders.changed());
     CHECK_FALSE(shaders.changed());
     CHECK(shaders.source()("draw/sky.frag") == "two");
+    CHECK(first("draw/sky.frag") == "one");  // what worked is still to be had
 }

@@ -19,14 +19,14 @@ void drawHitTools(Session& session, Interface& ui) {
     }
     ui.label("Strength");
     if (settings.tool == Tool::Shoot)
-        ui.slider("strength", settings.shot, 1, 150, "m/s", true,
+        ui.slider("strength", settings.shot, {1, 150}, "m/s",
                   "Speed that the middle of the spot gets. Shift and wheel.");
     else
-        ui.slider("strength", settings.push, 1, 2000, "m/s²", true,
+        ui.slider("strength", settings.push, {1, 2000}, "m/s²",
                   "Acceleration of the middle of the spot while you hold the button. Shift and "
                   "wheel.");
     ui.label("Radius");
-    ui.slider("radius", settings.radius, 0.02, 2, "m", true,
+    ui.slider("radius", settings.radius, {0.02, 2}, "m",
               "Size of the spot: the ring around the mouse. Ctrl and wheel.");
     ImGui::TextDisabled("Keys 1 to 9 hit at nine places.");
     bool own = settings.sceneHits;

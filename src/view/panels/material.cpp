@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
+#include <utility>
 
 #include "view/panels/panels.hpp"
 
@@ -15,6 +17,7 @@ constexpr std::pair<std::string_view, const char*> kGroups[] = {
     {"young_modulus", "Stiffness and weight"},
     {"max_stress", "Breaking"},
     {"friction", "Touching"},
+    {"spread", "Chunks and scatter"},
     {"avg_display_section_width", "Torn edges"},
     {"colour", "Look"},
 };
@@ -31,17 +34,77 @@ std::string label(std::string_view key) {
     return text;
 }
 
-double sliderMin(const MaterialField& field) {
+double leastOf(const MaterialField& field) {
     if (!field.minExcluded) return field.min;
     return field.min == 0 ? 1e-3 : std::nextafter(field.min, field.max);
 }
 
-double sliderMax(const MaterialField& field) {
+double mostOf(const MaterialField& field) {
     return field.maxExcluded ? std::nextafter(field.max, field.min) : field.max;
 }
 
-bool logarithmic(const MaterialField& field) {
-    return field.min >= 0 && field.max - field.min > 5 && field.unit != "degrees";
+/// A strength may be anything from next to nothing to 1e15 Pa: eighteen decades on a slider, where
+/// a pixel is half as much again. So a slider reaches some way around where it was, `home`, and as
+/// far as `value` has been typed.
+Interface::Scale scaleOf(const MaterialField& field, double value, double home) {
+    const double least = leastOf(field), most = mostOf(field);
+    Interface::Scale scale{least, most, false, least, most, home};
+    if (most - least <= 5) return scale;
+    constexpr double kReach = 20;
+    if (least < 0) {
+        const double reach = 5 * std::max(1.0, std::abs(home));
+        scale.min = std::max(least, home - reach);
+        scale.max = std::min(most, home + reach);
+    } else {
+        scale.logarithmic = true;
+        scale.min = least == 0 ? 0 : std::max(least, home / kReach);
+        scale.max = std::min(most, home > 0 ? home * kReach : 1);
+    }
+    scale.min = std::min(scale.min, value);
+    scale.max = std::max(scale.max, value);
+    return scale;
+}
+
+struct Unit {
+    double size;
+    std::string name;
+};
+/// Stresses are read in thousands, millions or thousands of millions of pascals.
+Unit unitOf(const MaterialField& field, double home) {
+    constexpr std::pair<double, const char*> kPascals[] = {
+        {1e9, "GPa"}, {1e6, "MPa"}, {1e3, "kPa"}};
+    if (field.unit == "Pa")
+        for (const auto& [size, name] : kPascals)
+            if (home >= size) return {size, name};
+    return {1, std::string(field.unit)};
+}
+
+/// One number of a field. True while it is being changed.
+bool drawNumber(const MaterialField& field, Interface& ui, const std::string& name, double& value,
+                double home, const std::string& help) {
+    Interface::Scale scale = scaleOf(field, value, home);
+    const Unit unit = unitOf(field, home);
+    scale.unit = unit.size;
+    return ui.slider(name, value, scale, unit.name, help);
+}
+
+/// Why a field has no effect on this material; empty: it has one.
+std::string_view idleBecause(const Material& material, std::string_view key) {
+    const auto among = [&](std::initializer_list<std::string_view> keys) {
+        return std::find(keys.begin(), keys.end(), key) != keys.end();
+    };
+    if (among({"max_stress"}) && material.fracture != FractureMode::Cell)
+        return "Without effect here: it is for what breaks by 'cell'.";
+    if (among({"strength", "boundary_strength", "damage_length", "shear_weight",
+               "internal_friction", "spread", "noise_length", "noise_amplitude"}) &&
+        material.fracture != FractureMode::Bond)
+        return "Without effect here: it is for what breaks by 'bond'.";
+    if (among({"boundary_strength", "cluster_size", "joint_width"}) &&
+        material.clusters == ClusterKind::None)
+        return "Without effect here: there are no chunks.";
+    if (among({"noise_amplitude"}) && material.noiseLength == 0)
+        return "Without effect here: the noise length is 0.";
+    return {};
 }
 
 bool colourSliders(const MaterialField& field, Interface& ui, Vec3& value) {
@@ -66,43 +129,82 @@ bool colourSliders(const MaterialField& field, Interface& ui, Vec3& value) {
     return changed;
 }
 
-bool vectorSliders(const MaterialField& field, Interface& ui, Vec3& value) {
-    const std::string name(field.key);
-    const double min = sliderMin(field), max = sliderMax(field);
-    const std::string format = field.unit == "1" ? "%.3g" : "%.3g " + std::string(field.unit);
-    ImGui::TextUnformatted((label(field.key) + ": x, y, z").c_str());
-    ui.tooltip(field.help);
-    ImGui::SetNextItemWidth(-1);
-    const bool changed = ImGui::SliderScalarN(
-        ("###" + name).c_str(), ImGuiDataType_Double, value.data(), 3, &min, &max, format.c_str(),
-        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic |
-            ImGuiSliderFlags_NoRoundToFormat);
-    ui.mark(name);
-    ui.tooltip(field.help);
+bool vectorSliders(const MaterialField& field, Interface& ui, Vec3& value, const Vec3& home,
+                   bool& letGo, const std::string& help) {
+    constexpr const char* kAxes[] = {"x", "y", "z"};
+    ImGui::TextUnformatted(label(field.key).c_str());
+    ui.tooltip(help);
+    bool changed = false;
+    for (int axis = 0; axis < 3; ++axis) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%s", kAxes[axis]);
+        ImGui::SameLine(ui.length(18));
+        changed |= drawNumber(field, ui, std::string(field.key) + "." + kAxes[axis], value[axis],
+                              home[axis], help);
+        letGo |= ui.letGo();
+    }
     return changed;
 }
 
 /// True while a field is being changed.
-bool drawField(const MaterialField& field, Interface& ui, Material& material) {
-    if (field.vector) {
-        Vec3& value = material.*field.vector;
-        return field.key.ends_with("colour") ? colourSliders(field, ui, value)
-                                             : vectorSliders(field, ui, value);
+bool drawField(const MaterialField& field, Interface& ui, MaterialDraft& draft, bool& letGo) {
+    Material& material = draft.material;
+    const std::string_view idle = idleBecause(material, field.key);
+    std::string help(field.help);
+    if (!idle.empty()) help += "\n" + std::string(idle);
+    ImGui::BeginDisabled(!idle.empty());
+    bool changed = false;
+    if (field.vector && field.key.ends_with("colour")) {
+        changed = colourSliders(field, ui, material.*field.vector);
+        letGo |= ui.letGo();
+    } else if (field.vector) {
+        changed =
+            vectorSliders(field, ui, material.*field.vector, draft.home.*field.vector, letGo, help);
+    } else {
+        ImGui::TextUnformatted(label(field.key).c_str());
+        ui.tooltip(help);
+        changed = drawNumber(field, ui, std::string(field.key), material.*field.scalar,
+                             draft.home.*field.scalar, help);
+        letGo |= ui.letGo();
     }
-    ImGui::TextUnformatted(label(field.key).c_str());
-    ui.tooltip(field.help);
-    return ui.slider(std::string(field.key), material.*field.scalar, sliderMin(field),
-                     sliderMax(field), field.unit, logarithmic(field), field.help);
+    ImGui::EndDisabled();
+    return changed;
 }
 
-template <class Enum>
-bool drawEnum(Interface& ui, const char* name, const char* title, Enum& value, Enum last) {
+template <class Enum, std::size_t Count>
+bool drawEnum(Interface& ui, const char* name, const char* title, Enum& value,
+              const std::string_view (&help)[Count]) {
     std::vector<std::string_view> names;
-    for (int i = 0; i <= static_cast<int>(last); ++i) names.push_back(toString(Enum{i}));
+    for (std::size_t i = 0; i < Count; ++i) names.push_back(toString(static_cast<Enum>(i)));
     ImGui::TextDisabled("%s", title);
-    const int chosen = ui.choice(name, names, static_cast<int>(value));
-    if (chosen >= 0) value = Enum{chosen};
+    const int chosen = ui.choice(name, names, static_cast<int>(value), help);
+    if (chosen >= 0) value = static_cast<Enum>(chosen);
     return chosen >= 0;
+}
+
+/// The choices above a group's sliders. True when one was made.
+bool drawChoices(std::string_view group, Interface& ui, Material& material) {
+    if (group == "young_modulus")
+        return drawEnum(ui, "law", "Law", material.law,
+                        {"Green's strain, as the thesis has it. Gives way when squeezed hard.",
+                         "Linear elasticity that turns with each cell. Survives being crushed."});
+    if (group == "max_stress")
+        return drawEnum(ui, "fracture", "What breaks", material.fracture,
+                        {"Nothing: it only bends.",
+                         "Cells, as the thesis has it: one leaves all its neighbours at once.",
+                         "Faces between cells, one by one: cracks run, and chunks come apart."});
+    if (group == "spread")
+        return drawEnum(ui, "clusters", "Chunks", material.clusters,
+                        {"None: it breaks anywhere.", "Irregular, as in concrete or glass.",
+                         "Bricks in rows, every other one shifted by half a brick.",
+                         "Strips side by side, upright."});
+    if (group == "colour")
+        return drawEnum(
+            ui, "surface", "Surface", material.surface,
+            {"One colour.", "Grain upwards, rings across.",
+             "Bricks and mortar, where chunks are bricks.", "Cement, with stones inside.",
+             "Matt and even.", "Smooth; transparency says how clear."});
+    return false;
 }
 
 /// Says where the step limits the stiffness of this material.
@@ -112,11 +214,19 @@ void drawLimit(const Session& session, int index) {
         if (law.material != index || !law.limited) continue;
         ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
         ImGui::TextWrapped(
-            "Limited to %.3g Pa: %d substeps in 1/60 s carry no more on cells this small.",
-            law.youngModulus, session.stage->simulation.stepsPerFrame());
+            "Limited to %s: %d substeps in 1/60 s carry no more on cells this small.",
+            brief(law.youngModulus, "Pa").c_str(), session.stage->simulation.stepsPerFrame());
         ImGui::PopStyleColor();
         return;
     }
+}
+
+/// Where Revert and right clicks take a material of the scene: as it was when the scene was opened,
+/// or as it is where another one is in its place.
+Material homeOf(const Session& session, const Material& now, int index) {
+    const auto& opened = session.openedScene().world.materials;
+    const bool there = index < static_cast<int>(opened.size()) && opened[index].name == now.name;
+    return there ? opened[index] : now;
 }
 
 /// True when another one was chosen.
@@ -129,6 +239,7 @@ bool drawChoiceOfMaterial(Session& session, Interface& ui, MaterialDraft& draft)
         if (const int chosen = ui.choice("which", names, draft.index); chosen >= 0) {
             draft.index = chosen;
             draft.material = materials[chosen];
+            draft.home = homeOf(session, draft.material, chosen);
         }
     }
     ImGui::SetNextItemWidth(-1);
@@ -140,7 +251,7 @@ bool drawChoiceOfMaterial(Session& session, Interface& ui, MaterialDraft& draft)
     static const std::vector<PresetInfo> presets = materialPresets();
     for (const PresetInfo& preset : presets) {
         if (ImGui::Selectable(preset.name.c_str(), preset.name == draft.material.name)) {
-            draft.material = loadMaterial(preset.name);
+            draft.material = draft.home = loadMaterial(preset.name);
             chosen = true;
         }
         ui.mark("material." + preset.name);
@@ -159,21 +270,10 @@ bool drawFields(Session& session, Interface& ui, MaterialDraft& draft) {
                                                       ? ImGuiTreeNodeFlags_DefaultOpen
                                                       : ImGuiTreeNodeFlags_None);
             ui.mark("group." + std::string(first));
-            if (open && first == "young_modulus")
-                done |= drawEnum(ui, "law", "Law", draft.material.law, ConstitutiveLaw::Corotated);
-            if (open && first == "max_stress") {
-                done |= drawEnum(ui, "fracture", "What breaks", draft.material.fracture,
-                                 FractureMode::Bond);
-                done |= drawEnum(ui, "clusters", "Chunks", draft.material.clusters,
-                                 ClusterKind::Planks);
-            }
-            if (open && first == "colour")
-                done |=
-                    drawEnum(ui, "surface", "Surface", draft.material.surface, SurfaceKind::Glass);
+            if (open) done |= drawChoices(first, ui, draft.material);
         }
         if (!open) continue;
-        changed |= drawField(field, ui, draft.material);
-        done |= ui.letGo();
+        changed |= drawField(field, ui, draft, done);
         if (field.key == "young_modulus") drawLimit(session, draft.index);
     }
     draft.age += ImGui::GetIO().DeltaTime;
@@ -190,27 +290,31 @@ void drawMaterial(Session& session, Interface& ui, MaterialDraft& draft) {
         draft.index = std::min(draft.index, count - 1);
         draft.material = session.scene().world.materials[draft.index];
         draft.generation = session.generation();
+        if (std::exchange(draft.layout, session.layout()) != session.layout())
+            draft.home = homeOf(session, draft.material, draft.index);
     }
     ui.heading("Material");
     bool apply = drawChoiceOfMaterial(session, ui, draft);
     if (!draft.material.description.empty())
         ImGui::TextWrapped("%s", draft.material.description.c_str());
 
-    const Scene& opened = session.openedScene();
-    const bool revertible = draft.index < static_cast<int>(opened.world.materials.size());
-    if (ui.button("revert", "Revert", "As it was when the scene was opened.") && revertible) {
-        draft.material = opened.world.materials[draft.index];
+    if (ui.button("revert", "Revert",
+                  "Every number as it was when the scene was opened or this material chosen. A "
+                  "right click on a slider does it for one.")) {
+        draft.material = draft.home;
         apply = true;
     }
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-ui.length(80));
-    ImGui::InputText("###material_name", &draft.fileToSave);
+    bool save = ImGui::InputText("###material_name", &draft.fileToSave,
+                                 ImGuiInputTextFlags_EnterReturnsTrue);
     ui.mark("material_name");
     ImGui::SameLine();
-    if (ui.button("save_material", "Save as", "A material's file, which a scene uses by its name."))
-        session.saveMaterial(draft.index, draft.fileToSave);
+    save |=
+        ui.button("save_material", "Save as", "A material's file, which a scene uses by its name.");
+    if (save) session.saveMaterial(draft.index, draft.fileToSave);
 
-    ImGui::TextDisabled("Ctrl + click a slider to type a number.");
+    ImGui::TextDisabled("Ctrl + click: type. Right click: take back.");
     apply |= drawFields(session, ui, draft);
     if (apply) {
         session.setMaterial(draft.index, draft.material);

@@ -5,20 +5,11 @@
 #include <cstdio>
 
 #include "core/diagnostics.hpp"
+#include "scene/limit_warnings.hpp"
 #include "view/panels/panels.hpp"
 
 namespace sunder::view {
 namespace {
-
-/// 1 to 1000 of something, with a letter for thousands.
-std::string brief(double value, const char* unit) {
-    char text[48];
-    const double size = std::abs(value);
-    const char* prefix = size >= 1e9 ? "G" : size >= 1e6 ? "M" : size >= 1e4 ? "k" : "";
-    const double scale = size >= 1e9 ? 1e9 : size >= 1e6 ? 1e6 : size >= 1e4 ? 1e3 : 1;
-    std::snprintf(text, sizeof text, "%.4g %s%s", value / scale, prefix, unit);
-    return text;
-}
 
 void drawPlot(Interface& ui, const char* label, const History& history) {
     char now[96];
@@ -65,15 +56,33 @@ void drawCell(Session& session, int cell) {
     drawTable({{"Cell", place},
                {"Material", material.name},
                {"Stress now", brief(cellPrincipalStress(world, state, cell), "Pa")},
-               {"Breaks at", material.fracture == FractureMode::None ? std::string("never")
-                             : material.fracture == FractureMode::Cell
-                                 ? brief(material.maxStress, "Pa")
-                                 : brief(material.strength.minCoeff(), "Pa") + " or more"},
+               {"Breaks at", breaksAt(material)},
                {"Speed", brief(velocity.norm(), "m/s")},
                {"Bonds", std::to_string(held) + " hold, " + std::to_string(broken) + " broken"}});
 }
 
 }  // namespace
+
+std::string brief(double value, const char* unit) {
+    char text[48];
+    const double size = std::abs(value);
+    const char* prefix = size >= 1e9 ? "G" : size >= 1e6 ? "M" : size >= 1e4 ? "k" : "";
+    const double scale = size >= 1e9 ? 1e9 : size >= 1e6 ? 1e6 : size >= 1e4 ? 1e3 : 1;
+    std::snprintf(text, sizeof text, "%.4g %s%s", value / scale, prefix, unit);
+    return text;
+}
+
+std::string breaksAt(const Material& material) {
+    switch (material.fracture) {
+        case FractureMode::None:
+            break;
+        case FractureMode::Cell:
+            return brief(material.maxStress, "Pa");
+        case FractureMode::Bond:
+            return brief(material.strength.minCoeff(), "Pa") + " or more";
+    }
+    return "never";
+}
 
 void drawMeasurements(Session& session, Interface& ui) {
     const Measurements& m = session.measurements;
@@ -86,7 +95,10 @@ void drawMeasurements(Session& session, Interface& ui) {
                {"Blows heard", std::to_string(m.contacts)},
                {"Energy of motion", brief(m.diagnostics.kinetic, "J")},
                {"Energy of bending", brief(m.diagnostics.elastic, "J")},
+               {"Energy of height", brief(m.diagnostics.gravity, "J")},
                {"Fastest", brief(m.diagnostics.maxSpeed, "m/s")}});
+    for (const std::string& warning : limitWarnings(session.scene(), world))
+        ImGui::TextWrapped("%s", warning.c_str());
 
     ui.heading("One cell");
     if (session.lookedAt)

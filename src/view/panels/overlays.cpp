@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/diagnostics.hpp"
 #include "image/srgb.hpp"
 #include "render/colour_map.hpp"
 #include "render/legend.hpp"
@@ -40,7 +41,15 @@ void drawRing(const Session& session, const Interface& ui, ImDrawList& list) {
     list.AddCircle(toImGui(centre), pixels, IM_COL32(255, 240, 220, 200), 64, ui.length(1.25));
 }
 
-/// Edges of the cell whose stress is read.
+void drawText(const Interface& ui, ImDrawList& list, ImVec2 at, const char* text) {
+    const float pad = ui.length(6);
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    list.AddRectFilled({at.x - pad, at.y - pad / 2}, {at.x + size.x + pad, at.y + size.y + pad / 2},
+                       IM_COL32(20, 21, 25, 190), ui.length(4));
+    list.AddText(at, IM_COL32(240, 240, 235, 255), text);
+}
+
+/// Edges of the cell whose stress is read, and the stress.
 void drawLookedAt(Session& session, const Interface& ui, ImDrawList& list) {
     if (!session.lookedAt) return;
     const World& world = session.stage->simulation.world();
@@ -57,14 +66,14 @@ void drawLookedAt(Session& session, const Interface& ui, ImDrawList& list) {
             if (!(corner & axis))
                 list.AddLine(toImGui(corners[corner]), toImGui(corners[corner | axis]),
                              IM_COL32(255, 200, 60, 255), ui.length(1.5));
-}
-
-void drawText(const Interface& ui, ImDrawList& list, ImVec2 at, const char* text) {
-    const float pad = ui.length(6);
-    const ImVec2 size = ImGui::CalcTextSize(text);
-    list.AddRectFilled({at.x - pad, at.y - pad / 2}, {at.x + size.x + pad, at.y + size.y + pad / 2},
-                       IM_COL32(20, 21, 25, 190), ui.length(4));
-    list.AddText(at, IM_COL32(240, 240, 235, 255), text);
+    const int cell = *session.lookedAt;
+    const std::string stress = brief(cellPrincipalStress(world, state, cell), "Pa") +
+                               ", breaks at " + breaksAt(world.materialOf(cell));
+    Vec3 right = corners[0];
+    for (const Vec3& corner : corners)
+        if (corner[0] > right[0]) right = corner;
+    const ImVec2 at = toImGui(right);
+    drawText(ui, list, {at.x + ui.length(14), at.y}, stress.c_str());
 }
 
 /// In the lower right corner of the scene.

@@ -7,10 +7,9 @@ namespace sunder::view {
 /// Width of the panel at the window's left, pixels of the interface.
 float panelWidth(const Interface&);
 
-/// What the fields of the tab "Wall" hold until their button is pressed. Belongs to the body of a
-/// scene that it was taken from.
+/// What the fields of the tab "Wall" hold until their button is pressed.
 struct WallDraft {
-    std::string scene;
+    int layout = -1;  ///< of the session, that it was taken from
     int body = 0;
     Vec3 size{1, 1, 1};  ///< m
     IVec3 cells{1, 1, 1};
@@ -20,9 +19,10 @@ struct WallDraft {
 
 /// The material on the sliders, which may be ahead of the one that is simulated.
 struct MaterialDraft {
-    int generation = -1;  ///< of the stage that it was taken from
-    int index = 0;        ///< among the scene's materials
+    int generation = -1, layout = -1;  ///< of the session, that it was taken from
+    int index = 0;                     ///< among the scene's materials
     Material material;
+    Material home;   ///< as it was before it was tuned
     double age = 0;  ///< s since it was last simulated
     std::string fileToSave = "my-material";
 };
@@ -36,6 +36,11 @@ struct Drafts {
 
 /// Everything on top of the scene: the panel with its tabs, messages, legend, help.
 void drawPanels(Session&, Interface&, Drafts&);
+
+/// A number of 1 to 10,000 with its unit, in thousands, millions or thousands of millions.
+std::string brief(double value, const char* unit);
+/// The stress at which a material breaks, in words.
+std::string breaksAt(const Material&);
 
 // One file each.
 void drawTime(Session&, Interface&);      ///< pause, step, speed; above the tabs

@@ -19,7 +19,7 @@ void drawTime(Session& session, Interface& ui) {
 
     double speed = clock.speed();
     ui.label("Speed");
-    if (ui.slider("speed", speed, Clock::kSlowest, 1, "x", true,
+    if (ui.slider("speed", speed, {Clock::kSlowest, 1}, "x",
                   "1: as fast as time outside. Less: slow motion. Keys [ and ]"))
         session.setSpeed(speed);
 

@@ -23,10 +23,11 @@ void drawSolvers(Session& session, Interface& ui) {
 
 template <class Value, std::size_t Count>
 void drawChoice(Session& session, Interface& ui, const char* name, const char* label, Value& value,
-                const Value (&values)[Count], const std::string_view (&labels)[Count]) {
+                const Value (&values)[Count], const std::string_view (&labels)[Count],
+                const std::string_view (&help)[Count]) {
     ui.label(label);
     const int current = static_cast<int>(std::find(values, values + Count, value) - values);
-    const int chosen = ui.choice(name, labels, current);
+    const int chosen = ui.choice(name, labels, current, help);
     if (chosen < 0) return;
     value = values[chosen];
     session.changed(name, toString(value));
@@ -39,11 +40,18 @@ void drawViewChoices(Session& session, Interface& ui, double& letters) {
     drawSolvers(session, ui);
 
     ui.heading("View");
-    drawChoice(session, ui, "mesh", "Mesh", settings.mesh, kDrawnMeshes, {"Display", "Simulation"});
+    drawChoice(session, ui, "mesh", "Mesh", settings.mesh, kDrawnMeshes, {"Display", "Simulation"},
+               {"What a player sees: torn edges, textures. M",
+                "The hull of the tetrahedra that are simulated. M"});
     drawChoice(session, ui, "style", "Style", settings.style, kDrawStyles,
-               {"Solid", "Wireframe", "Both"});
+               {"Solid", "Wireframe", "Both"},
+               {"Surfaces. L", "Edges of all triangles. L", "Surfaces with their edges. L"});
     drawChoice(session, ui, "colour", "Colours", settings.colour, kWallColours,
-               {"Material", "Stress", "Speed", "Pieces"});
+               {"Material", "Stress", "Speed", "Pieces"},
+               {"As the material looks. C",
+                "The largest tension in each cell; bright is about to break. C",
+                "How fast each cell moves. C",
+                "What hangs together, each piece in a colour of its own. C"});
     ui.label("Samples", "Antialiasing: samples in each pixel. More: smoother edges, slower.");
     constexpr int kSamples[] = {1, 2, 4, 8};
     const int most = std::max(1, session.window.info().maxSamples);
@@ -74,7 +82,8 @@ void drawViewChoices(Session& session, Interface& ui, double& letters) {
     // Letters grow when the mouse lets go, or the slider would run away under it.
     if (!ImGui::IsAnyItemActive()) letters = settings.interfaceScale;
     ui.label("Letters", "Size of letters, and of all around them");
-    ui.slider("interface_scale", letters, 0.5, 4, "x", true, "");
+    ui.slider("interface_scale", letters, {0.5, 4}, "x",
+              "Size of letters, and of all around them.");
     if (ui.letGo()) settings.interfaceScale = letters;
 }
 

@@ -2,6 +2,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "view/panels/panels.hpp"
 
@@ -10,7 +11,6 @@ namespace {
 
 void take(WallDraft& draft, const Scene& scene, int body) {
     const BodyDescription& from = scene.world.bodies[body];
-    draft.scene = scene.name;
     draft.body = body;
     draft.size = from.size;
     draft.cells = from.cells;
@@ -52,10 +52,12 @@ void drawScenes(Session& session, Interface& ui, std::string& path) {
     ImGui::TextWrapped("%s", session.scene().title.c_str());
 
     ImGui::SetNextItemWidth(-ui.length(70));
-    ImGui::InputTextWithHint("###scene_file", "a scene's file, .toml", &path);
+    bool wanted = ImGui::InputTextWithHint("###scene_file", "a scene's file, .toml", &path,
+                                           ImGuiInputTextFlags_EnterReturnsTrue);
     ui.mark("scene_file");
     ImGui::SameLine();
-    if (ui.button("open", "Open", "Reads a scene of your own.")) session.openScene(path);
+    wanted |= ui.button("open", "Open", "Reads a scene of your own. Or drop its file here.");
+    if (wanted) session.openScene(path);
 }
 
 void drawBodies(WallDraft& draft, const Scene& scene, Interface& ui) {
@@ -76,8 +78,8 @@ void drawWall(Session& session, Interface& ui, WallDraft& draft) {
     drawScenes(session, ui, draft.fileToOpen);
 
     const Scene& scene = session.scene();
-    if (draft.scene != scene.name || draft.body >= static_cast<int>(scene.world.bodies.size()))
-        take(draft, scene, 0);
+    if (std::exchange(draft.layout, session.layout()) != session.layout())
+        take(draft, scene, std::min(draft.body, static_cast<int>(scene.world.bodies.size()) - 1));
     ui.heading("A new wall");
     drawBodies(draft, scene, ui);
     const double least = 0.01, most = 100;
@@ -110,24 +112,20 @@ void drawWall(Session& session, Interface& ui, WallDraft& draft) {
         session.buildScene(std::move(next), "build");
     }
     ImGui::SameLine();
-    if (ui.button("new_seed", "Another seed", "N")) {
-        session.newSeed();
-        draft.seed = session.scene().world.seed;
-    }
+    if (ui.button("new_seed", "Another seed", "N")) session.newSeed();
     ImGui::SameLine();
-    if (ui.button("revert_scene", "Revert", "The scene as it was opened.")) {
+    if (ui.button("revert_scene", "Revert", "The scene as it was opened."))
         session.buildScene(session.openedScene(), "revert_scene");
-        take(draft, session.scene(), 0);
-    }
 
     ui.heading("Save as");
     ImGui::SetNextItemWidth(-ui.length(70));
-    ImGui::InputText("###scene_name", &draft.fileToSave);
+    bool save =
+        ImGui::InputText("###scene_name", &draft.fileToSave, ImGuiInputTextFlags_EnterReturnsTrue);
     ui.mark("scene_name");
     ImGui::SameLine();
-    if (ui.button("save_scene", "Save",
-                  "Scene, materials and camera in one file, which `sunder run` reads."))
-        session.saveScene(draft.fileToSave);
+    save |= ui.button("save_scene", "Save",
+                      "Scene, materials and camera in one file, which `sunder run` reads.");
+    if (save) session.saveScene(draft.fileToSave);
 }
 
 }  // namespace sunder::view
