@@ -1,3 +1,6 @@
+#include <cstdint>
+#include <initializer_list>
+
 #include "catch.hpp"
 #include "core/world.hpp"
 #include "gpu/test_context.hpp"
@@ -18,7 +21,8 @@ TEST_CASE("a world larger than the device's textures is refused before anything 
 
 TEST_CASE("textures are wide enough for every cell a world may have, and hardly wider than high") {
     testContext();
-    for (const std::int64_t count : {1L, 64L, 3200L, 32000L, 1600000L, 8L * kMaxCells}) {
+    for (const std::int64_t count :
+         std::initializer_list<std::int64_t>{1, 64, 3200, 32000, 1600000, 8 * kMaxCells}) {
         const std::int64_t columns = gpu::texelColumns(count),
                            rows = gpu::texelRows(count, int(columns), "nodes");
         CHECK(columns * rows >= count);

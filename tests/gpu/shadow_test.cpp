@@ -33,11 +33,12 @@ double edgeWidth(const World& world, float height) {
         }
         light.push_back(sum);
     }
-    const auto [dark, bright] = std::minmax_element(light.begin(), light.end());
-    CHECK(*bright == Approx(1).margin(0.02));
-    CHECK(*dark < 0.75);
+    const auto ends = std::minmax_element(light.begin(), light.end());
+    const double dark = *ends.first, bright = *ends.second;
+    CHECK(bright == Approx(1).margin(0.02));
+    CHECK(dark < 0.75);
     const auto between = std::count_if(light.begin(), light.end(), [&](double l) {
-        const double t = (l - *dark) / (*bright - *dark);
+        const double t = (l - dark) / (bright - dark);
         return t > 0.15 && t < 0.85;
     });
     const double pixel = 2.5 * 2 * 0.4142135624 / kHeight;

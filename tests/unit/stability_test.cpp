@@ -121,12 +121,12 @@ Outcome run(const Case& c) {
 std::vector<Outcome> runAll(const std::vector<Case>& cases) {
     std::vector<Outcome> outcomes(cases.size());
     std::atomic<std::size_t> next = 0;
-    std::vector<std::jthread> threads;
+    std::vector<std::thread> threads;
     for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
         threads.emplace_back([&] {
             for (std::size_t k; (k = next++) < cases.size();) outcomes[k] = run(cases[k]);
         });
-    threads.clear();
+    for (std::thread& thread : threads) thread.join();
     return outcomes;
 }
 
