@@ -58,7 +58,8 @@ int main(int argc, char** argv) {
         std::cerr << "sunder: " << error.what() << '\n';
         return app::kNoContext;
     } catch (const std::bad_alloc&) {
-        std::cerr << "sunder: the world is too large for this machine's memory; use fewer cells\n";
+        std::cerr << "sunder: this machine has not enough memory for that; fewer cells or smaller "
+                     "pictures need less\n";
         return app::kBadInput;
     } catch (const std::exception& error) {
         // A defect of ours or of the driver, not of the input; still one sentence.

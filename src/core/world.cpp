@@ -6,6 +6,7 @@
 
 #include "core/contact.hpp"
 #include "core/elasticity.hpp"
+#include "core/memory.hpp"
 #include "core/strength_map.hpp"
 
 namespace sunder {
@@ -125,6 +126,7 @@ void World::layOutCells() {
                              std::to_string(kMaxCells) + " cells with body '" + b.name +
                              "'; use fewer or larger cells");
     }
+    requireMemory(total);
     cellBody_.reserve(total);
     cellLaw_.reserve(total);
     for (std::size_t index = 0; index < description_.bodies.size(); ++index) {

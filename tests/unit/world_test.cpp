@@ -7,6 +7,7 @@
 #include "catch.hpp"
 #include "core/diagnostics.hpp"
 #include "core/links.hpp"
+#include "core/memory.hpp"
 #include "core/pieces.hpp"
 #include "core/strength_map.hpp"
 #include "core/tetrahedra.hpp"
@@ -189,6 +190,27 @@ TEST_CASE("strengths: mean, spread, axes, boundaries, seeds") {
     }
     CHECK(changed == a.bondCount());
     CHECK(differs == a.bondCount());  // two copies of a wall are two walls
+}
+
+TEST_CASE("a world that no solver could hold in memory is refused with what would fit") {
+    const std::uint64_t megabyte = 1'000'000;
+    CHECK_THROWS_AS(requireMemory(kMaxCells, 8000 * megabyte), InputError);
+    try {
+        requireMemory(kMaxCells, 8000 * megabyte);
+    } catch (const InputError& error) {
+        const std::string said = error.what();
+        CHECK(said.find("16777216 cells take at least 19.3 GB, and there are 8.0 GB") !=
+              std::string::npos);
+        const std::size_t number = said.find("use at most ") + 12;
+        REQUIRE(number < said.size());
+        const std::int64_t most = std::stoll(said.substr(number));
+        CHECK_NOTHROW(requireMemory(most, 8000 * megabyte));
+        CHECK_THROWS_AS(requireMemory(most + 1, 8000 * megabyte), InputError);
+    }
+    CHECK_NOTHROW(requireMemory(1, megabyte));
+    // More than nothing, less than any machine has: neither a failed question nor wrapped around.
+    CHECK(usableMemory() > 100 * megabyte);
+    CHECK(usableMemory() < (std::uint64_t{1} << 60));
 }
 
 TEST_CASE("what a world cannot be becomes one sentence") {

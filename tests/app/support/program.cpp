@@ -139,6 +139,11 @@ Result Workplace::runWithFilesUpTo(int blocks, const std::vector<std::string>& a
                       environment);
 }
 
+Result Workplace::runWithMemoryUpTo(int kilobytes, const std::vector<std::string>& arguments,
+                                    const Environment& environment) const {
+    return runInShell("ulimit -v " + std::to_string(kilobytes) + "; ", arguments, environment);
+}
+
 bool Workplace::runAndKill(const std::vector<std::string>& arguments, int milliseconds,
                            const std::string& last) const {
     using Clock = std::chrono::steady_clock;

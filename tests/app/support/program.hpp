@@ -32,6 +32,9 @@ class Workplace {
     /// As if the disk were full: no file may become larger than this, in units of 512 bytes.
     Result runWithFilesUpTo(int blocks, const std::vector<std::string>& arguments,
                             const Environment& = {}) const;
+    /// With so many kilobytes of addresses at most, which is more than it will have in memory.
+    Result runWithMemoryUpTo(int kilobytes, const std::vector<std::string>& arguments,
+                             const Environment& = {}) const;
     /// Starts the program and kills it (SIGKILL) so many milliseconds after it made its first file
     /// or, where `last` is not empty, one whose name has `last` in it. False: it had ended before.
     bool runAndKill(const std::vector<std::string>& arguments, int milliseconds,

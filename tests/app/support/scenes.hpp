@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-/// Scenes of 6 × 4 × 1 cells, which take no time.
+/// Scenes of 6 × 4 × 1 cells, which take no time; and some at the limits.
 namespace scenes {
 
 inline const std::string kBody =
@@ -39,5 +39,15 @@ inline const std::string kBreaking =
     "point = [0, 0.3, 0.05]\n"
     "radius = 0.15\n"
     "vector = [0, 0, -40]\n";
+
+/// `size` and `cells` as a scene file has them; one frame.
+inline std::string wall(const std::string& size, const std::string& cells) {
+    return "frames = 1\n[[body]]\nname = 'wall'\nmaterial = 'rubber'\nsize = " + size +
+           "\ncells = " + cells + "\n";
+}
+
+/// 400,000 cells, a single substep.
+inline const std::string kTwoMillion =
+    "solver = {substeps = 1}\n" + wall("[50, 40, 0.2]", "[500, 400, 2]");
 
 }  // namespace scenes

@@ -1,13 +1,11 @@
 // Worlds at the limits of what a scene may ask for: a result, or one sentence.
 #include "app/support/program.hpp"
+#include "app/support/scenes.hpp"
 #include "catch.hpp"
 
 namespace {
 
-std::string wall(const std::string& size, const std::string& cells) {
-    return "frames = 1\n[[body]]\nname = 'wall'\nmaterial = 'rubber'\nsize = " + size +
-           "\ncells = " + cells + "\n";
-}
+using scenes::wall;
 
 }  // namespace
 
@@ -53,3 +51,44 @@ TEST_CASE("App: sizes and numbers of cells that cannot be are one sentence with 
         CHECK(place.contents() == std::set<std::string>{"bad.toml"});
     }
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// Sanitizers would need a minute for it.
+TEST_CASE("App: two million tetrahedra are simulated on the CPU, and hang together") {
+    const Workplace place;
+    place.write("large.toml", scenes::kTwoMillion);
+    const Result result = place.run(
+        {"run", "large.toml", "--solver", "cpu", "--frames-png", "0", "--out", "o"}, kNoGl);
+    INFO(result.command << "\nstderr: " << result.err);
+    REQUIRE(result.exitCode == 0);
+    const auto report = place.readJson("o/report.json");
+    CHECK(report.at("tetrahedra") == 2'000'000);
+    CHECK(report.at("nan") == 0);
+    CHECK(report.at("pieces") == 1);
+}
+
+#if defined(__linux__)
+// macOS does not limit addresses; sanitizers take terabytes of them.
+TEST_CASE("App: a world beyond the machine's memory is refused at once, and leaves nothing") {
+    const Workplace place;
+    // As many cells as a world may have.
+    place.write("huge.toml", wall("[40.96, 40.96, 0.01]", "[4096, 4096, 1]"));
+    for (const std::string solver : {"cpu", "reference", "gather"})
+        checkRefused(
+            place.runWithMemoryUpTo(8'000'000, {"run", "huge.toml", "--solver", solver}, kNoGl), 2,
+            {"the world is too large for this machine's memory: 16777216 cells", "use at most"});
+    CHECK(place.contents() == std::set<std::string>{"huge.toml"});
+}
+
+TEST_CASE("App: memory that runs out after all is one sentence, too") {
+    const Workplace place;
+    place.write("large.toml", wall("[50, 20, 0.1]", "[500, 200, 1]"));
+    // Between what every solver needs, 115 MB, and what this one does, 240 MB and the program.
+    checkRefused(
+        place.runWithMemoryUpTo(
+            150'000, {"run", "large.toml", "--solver", "reference", "--frames-png", "0"}, kNoGl),
+        2, {"not enough memory", "fewer cells"});
+    CHECK(place.contents() == std::set<std::string>{"large.toml"});
+}
+#endif
+#endif
