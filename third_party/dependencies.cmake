@@ -14,14 +14,15 @@ find_path(STB_INCLUDE_DIR stb_image_write.h PATH_SUFFIXES stb REQUIRED)
 add_library(sunder_stb INTERFACE)
 target_include_directories(sunder_stb SYSTEM INTERFACE ${STB_INCLUDE_DIR})
 
-# glad: OpenGL 4.1 core and GL_KHR_debug, generated at build time by the `glad` tool (Debian: python3-glad; elsewhere: the
-# Python package glad2). Without --reproducible it would fetch the specification from the network.
+# glad: OpenGL 4.1 core and the extensions that tell of errors and of a lost context, generated at build time by the `glad` tool
+# (Debian: python3-glad; elsewhere: the Python package glad2). Without --reproducible it would fetch the specification from the
+# network.
 find_program(GLAD_EXECUTABLE glad REQUIRED)
 set(glad_dir ${CMAKE_BINARY_DIR}/glad)
 add_custom_command(
   OUTPUT ${glad_dir}/src/gl.c ${glad_dir}/include/glad/gl.h
-  COMMAND ${GLAD_EXECUTABLE} --api gl:core=4.1 --extensions GL_KHR_debug --reproducible --quiet
-          --out-path ${glad_dir} c
+  COMMAND ${GLAD_EXECUTABLE} --api gl:core=4.1
+          --extensions GL_KHR_debug,GL_KHR_robustness,GL_ARB_robustness --reproducible --quiet --out-path ${glad_dir} c
   COMMENT "Generating glad (OpenGL 4.1 core)"
   VERBATIM)
 add_library(sunder_glad STATIC ${glad_dir}/src/gl.c)

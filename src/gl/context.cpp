@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "gl/device_failure.hpp"
 #include "gl/error_name.hpp"
 
 namespace sunder::gl {
@@ -13,9 +14,6 @@ namespace {
 
 // A broken draw reports the same error every frame.
 constexpr std::size_t kMaxCollected = 100;
-
-// GL_CONTEXT_LOST of OpenGL 4.5, which drivers return in older contexts too.
-constexpr GLenum kContextLost = 0x0507;
 
 std::string text(GLenum name) {
     const GLubyte* value = glGetString(name);
@@ -86,26 +84,23 @@ void Context::collect(const char* message, bool isError) {
 }
 
 std::vector<std::string> Context::takeErrors() {
+    lost_ |= contextLost();
     // glGetError may answer for ever once a context is lost.
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < 8 && !lost_; ++i) {
         const GLenum error = glGetError();
         if (error == GL_NO_ERROR) break;
-        if (error == GL_OUT_OF_MEMORY || error == kContextLost) fatal_ = error;
+        lost_ |= error == GL_CONTEXT_LOST;
+        exhausted_ |= error == GL_OUT_OF_MEMORY;
         if (!errorReported_) errors_.push_back(errorName(error));
     }
+    if (lost_) failContextLost();
     errorReported_ = false;
     return std::exchange(errors_, {});
 }
 
 void Context::check() {
     const std::vector<std::string> errors = takeErrors();
-    const GLenum fatal = std::exchange(fatal_, 0);
-    if (fatal == kContextLost)
-        throw ContextError("the OpenGL context was lost: the driver was reset or restarted (" +
-                           info_.renderer + "); run it again");
-    if (fatal == GL_OUT_OF_MEMORY)
-        throw ContextError("the OpenGL device ran out of memory (" + info_.renderer +
-                           "); use fewer cells or smaller pictures, or --solver cpu");
+    if (std::exchange(exhausted_, false)) failMemory();
     if (!errors.empty()) throw std::runtime_error("OpenGL: " + errors.front());
 }
 

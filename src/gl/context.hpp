@@ -41,10 +41,11 @@ class Context {
     const DeviceInfo& info() const { return info_; }
     /// GL errors and debug messages of high severity since the last call, oldest first; empties the
     /// list. Errors that Sunder turned into an exception where they happened (no memory for a
-    /// buffer, a shader that does not compile) are not in it.
+    /// buffer, a shader that does not compile) are not in it. Throws ContextError once the context
+    /// is lost (gl/device_failure.hpp).
     std::vector<std::string> takeErrors();
-    /// Throws std::runtime_error with the first of takeErrors(), if any; a ContextError when the
-    /// context is lost or the device's memory is exhausted.
+    /// Throws std::runtime_error with the first of takeErrors(), if any; InputError when the
+    /// device's memory is exhausted.
     void check();
 
   protected:
@@ -61,7 +62,8 @@ class Context {
     DeviceInfo info_;
     std::vector<std::string> errors_;
     bool errorReported_ = false;  // by the debug callback, since glGetError was last asked
-    unsigned fatal_ = 0;          // GL error after which nothing that follows can be trusted
+    bool exhausted_ = false;      // the device's memory, since check() was last called
+    bool lost_ = false;           // for good
 };
 
 /// A context without a visible window: EGL devices, hardware before software, then

@@ -113,18 +113,20 @@ EGLConfig anyConfig(const Display& display) {
     return config;
 }
 
+/// `told`: of a reset of the device, which then loses the context. Unasked, a driver may go on with
+/// pictures of nothing; some refuse to be asked.
 EGLContext makeContext(const Display& display, EGLConfig config, EGLint major, EGLint minor,
-                       bool debug) {
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                 major,
-                                 EGL_CONTEXT_MINOR_VERSION,
-                                 minor,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                 EGL_CONTEXT_OPENGL_DEBUG,
-                                 debug ? EGL_TRUE : EGL_FALSE,
-                                 EGL_NONE};
-    return eglCreateContext(display.id(), config, EGL_NO_CONTEXT, attributes);
+                       bool debug, bool told) {
+    std::vector<EGLint> attributes{
+        EGL_CONTEXT_MAJOR_VERSION,       major,
+        EGL_CONTEXT_MINOR_VERSION,       minor,
+        EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+        EGL_CONTEXT_OPENGL_DEBUG,        debug ? EGL_TRUE : EGL_FALSE};
+    if (told)
+        attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+                                             EGL_LOSE_CONTEXT_ON_RESET});
+    attributes.push_back(EGL_NONE);
+    return eglCreateContext(display.id(), config, EGL_NO_CONTEXT, attributes.data());
 }
 
 /// A context, current while it lives.
@@ -139,12 +141,13 @@ class CurrentContext {
             throw ContextError("the driver lacks EGL_KHR_surfaceless_context");
         if (!eglBindAPI(EGL_OPENGL_API)) fail("eglBindAPI(EGL_OPENGL_API)");
         const EGLConfig config = anyConfig(display);
-        id_ = makeContext(display, config, 4, 1, true);
+        id_ = makeContext(display, config, 4, 1, true, true);
+        if (id_ == EGL_NO_CONTEXT) id_ = makeContext(display, config, 4, 1, true, false);
         // An older context is made only so that Context::initialise() can say which version there
         // is.
         if (id_ == EGL_NO_CONTEXT) {
             const std::string problem = errorText();
-            id_ = makeContext(display, config, 3, 2, false);
+            id_ = makeContext(display, config, 3, 2, false, false);
             if (id_ == EGL_NO_CONTEXT)
                 throw ContextError("eglCreateContext for OpenGL 4.1 core failed: " + problem);
         }

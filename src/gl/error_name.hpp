@@ -18,6 +18,8 @@ inline std::string errorName(GLenum error) {
             return "GL_INVALID_FRAMEBUFFER_OPERATION";
         case GL_OUT_OF_MEMORY:
             return "GL_OUT_OF_MEMORY";
+        case GL_CONTEXT_LOST:
+            return "GL_CONTEXT_LOST";
         default:
             return "GL error " + std::to_string(error);
     }

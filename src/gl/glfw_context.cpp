@@ -6,8 +6,8 @@
 namespace sunder::gl {
 namespace {
 
-GLFWwindow* makeWindow(int major, int minor, bool debug) {
-    hintCoreContext(major, minor, debug);
+GLFWwindow* makeWindow(int major, int minor, bool debug, bool told) {
+    hintCoreContext(major, minor, debug, told);
     return glfwCreateWindow(64, 64, "Sunder", nullptr, nullptr);
 }
 
@@ -20,11 +20,12 @@ class GlfwContext final : public Context {
 
   private:
     struct Window {
-        Window() : handle(makeWindow(4, 1, true)) {
+        Window() : handle(makeWindow(4, 1, true, true)) {
+            if (!handle) handle = makeWindow(4, 1, true, false);
             if (handle) return;
             const std::string problem = glfwErrorText();
             // An older context is made only so that initialise() can say which version there is.
-            handle = makeWindow(3, 2, false);
+            handle = makeWindow(3, 2, false, false);
             if (!handle)
                 throw ContextError("glfwCreateWindow for OpenGL 4.1 core failed: " + problem);
         }

@@ -26,8 +26,9 @@ struct GlfwLibrary {
     GlfwLibrary& operator=(const GlfwLibrary&) = delete;
 };
 
-/// Hints for a window with an OpenGL core context of this version; the window is not shown.
-inline void hintCoreContext(int major, int minor, bool debug) {
+/// Hints for a window with an OpenGL core context of this version; the window is not shown. `told`:
+/// of a reset of the device, as egl_context.cpp has it.
+inline void hintCoreContext(int major, int minor, bool debug, bool told = true) {
     glfwDefaultWindowHints();
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
@@ -35,6 +36,7 @@ inline void hintCoreContext(int major, int minor, bool debug) {
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, debug ? GLFW_TRUE : GLFW_FALSE);
+    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, told ? GLFW_LOSE_CONTEXT_ON_RESET : GLFW_NO_ROBUSTNESS);
 }
 
 }  // namespace sunder::gl

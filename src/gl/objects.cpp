@@ -6,7 +6,10 @@
 #include <string>
 #include <unordered_map>
 
+#include "core/memory.hpp"
 #include "core/types.hpp"
+#include "gl/context.hpp"
+#include "gl/device_failure.hpp"
 #include "gl/error_name.hpp"
 #include "gl/pixel_format.hpp"
 
@@ -30,29 +33,37 @@ class QuietDebug {
     bool wasOn_;
 };
 
-[[noreturn]] void failMemory(const char* what, double bytes) {
-    const auto megabytes = static_cast<std::uint64_t>(bytes / 1e6 + 0.5);
-    throw InputError("the device has no memory for the " + std::string(what) + " (" +
-                     std::to_string(megabytes) + " MB)");
-}
-
-/// Runs an allocation. Throws InputError when the device has no memory for it.
-template <class Call>
-void allocate(const char* what, double bytes, Call call) {
-    if (const GLenum error = glGetError(); error != GL_NO_ERROR)
-        throw std::runtime_error("OpenGL: " + errorName(error) + " before the " + what +
-                                 " was created");
-    const QuietDebug quiet;
-    call();
-    const GLenum error = glGetError();
-    if (error == GL_OUT_OF_MEMORY) failMemory(what, bytes);
-    if (error != GL_NO_ERROR)
-        throw std::runtime_error("OpenGL: " + errorName(error) + " creating the " + what);
-}
-
 std::string renderer() {
     const GLubyte* name = glGetString(GL_RENDERER);
     return name ? reinterpret_cast<const char*>(name) : "this device";
+}
+
+std::string withSize(const char* what, double bytes) {
+    const auto megabytes = static_cast<std::uint64_t>(bytes / 1e6 + 0.5);
+    return std::string(what) + " (" + std::to_string(megabytes) + " MB)";
+}
+
+/// Runs an allocation. Throws InputError when the device has no memory for it, ContextError when it
+/// is lost.
+template <class Call>
+void allocate(const char* what, double bytes, Call call) {
+    if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
+        throwIfFatal(error);
+        throw std::runtime_error("OpenGL: " + errorName(error) + " before the " + what +
+                                 " was created");
+    }
+    // Mesa's software driver has what this machine has, but takes any promise of the system's for
+    // it. The other half is for the world and for states that come back from the device.
+    if (isSoftware(renderer()) &&
+        static_cast<double>(allocatedBytes()) + bytes > static_cast<double>(usableMemory() / 2))
+        failMemory(withSize(what, bytes));
+    const QuietDebug quiet;
+    call();
+    const GLenum error = glGetError();
+    if (error == GL_OUT_OF_MEMORY) failMemory(withSize(what, bytes));
+    throwIfFatal(error);
+    if (error != GL_NO_ERROR)
+        throw std::runtime_error("OpenGL: " + errorName(error) + " creating the " + what);
 }
 
 GLint limit(GLenum name) {
@@ -125,7 +136,8 @@ void deleteSampler(GLuint id) {
 // The COPY targets: no draw state, nor an element array in a vertex array object, depends on them.
 Buffer::Buffer(std::size_t bytes, const void* data, GLenum usage, const char* what)
     : bytes_(bytes) {
-    if (bytes > static_cast<std::size_t>(PTRDIFF_MAX)) failMemory(what, static_cast<double>(bytes));
+    if (bytes > static_cast<std::size_t>(PTRDIFF_MAX))
+        failMemory(withSize(what, static_cast<double>(bytes)));
     GLuint id = 0;
     glGenBuffers(1, &id);
     handle_ = Handle<deleteBuffer>(id);

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "gl/device_failure.hpp"
+
 namespace sunder::gl {
 namespace {
 
@@ -32,10 +34,12 @@ Shader compile(GLenum stage, const std::string& name, const ProgramDescription& 
     glCompileShader(shader.id());
     GLint compiled = GL_FALSE;
     glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &compiled);
-    if (!compiled)
+    if (!compiled) {
+        if (contextLost()) failContextLost();
         throw std::runtime_error(
             "shader " + name + " does not compile:\n" +
             nameFilesInLog(infoLog(shader.id(), glGetShaderiv, glGetShaderInfoLog), files));
+    }
     return shader;
 }
 
@@ -71,10 +75,12 @@ Program::Program(const ProgramDescription& description) : handle_(glCreateProgra
     for (const Shader& shader : shaders) glDetachShader(id(), shader.id());
     GLint linked = GL_FALSE;
     glGetProgramiv(id(), GL_LINK_STATUS, &linked);
-    if (!linked)
+    if (!linked) {
+        if (contextLost()) failContextLost();
         throw std::runtime_error(
             "program " + names + " does not link:\n" +
             nameFilesInLog(infoLog(id(), glGetProgramiv, glGetProgramInfoLog), files));
+    }
 }
 
 void Program::use() const {

@@ -1,0 +1,107 @@
+// Losing a context cannot be provoked with Mesa's software driver: here functions of GL say that it
+// was.
+#include <glad/gl.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "catch.hpp"
+#include "gl/objects.hpp"
+#include "gl/program.hpp"
+#include "gpu/test_context.hpp"
+
+using namespace sunder;
+
+namespace {
+
+/// Another value while it lives.
+template <class T>
+class Instead {
+  public:
+    Instead(T& place, T value) : place_(place), before_(place) { place = value; }
+    ~Instead() { place_ = before_; }
+    Instead(const Instead&) = delete;
+    Instead& operator=(const Instead&) = delete;
+
+  private:
+    T& place_;
+    T before_;
+};
+
+GLenum GLAD_API_PTR errorOfLost() {
+    return GL_CONTEXT_LOST;
+}
+GLenum GLAD_API_PTR statusOfLost() {
+    return GL_GUILTY_CONTEXT_RESET;
+}
+bool told = false;
+GLenum GLAD_API_PTR statusToldOnce() {
+    return std::exchange(told, true) ? GL_NO_ERROR : GL_INNOCENT_CONTEXT_RESET;
+}
+
+template <class Call>
+void checkLost(Call call) {
+    CHECK_THROWS_AS(call(), ContextError);
+    CHECK_THROWS_WITH(
+        call(), Catch::Contains("the OpenGL context was lost") && Catch::Contains("run it again"));
+}
+
+void askEveryWay(gl::Context& context) {
+    checkLost([&] { context.check(); });
+    checkLost([&] { context.takeErrors(); });
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a context that says it was reset is one sentence, by either extension and by its errors") {
+    const auto context = gl::createHeadlessContext();  // for each section, as it stays lost
+    context->check();
+    SECTION("GL_KHR_robustness") {
+        const Instead has(GLAD_GL_KHR_robustness, 1);
+        const Instead status(glad_glGetGraphicsResetStatus,
+                             PFNGLGETGRAPHICSRESETSTATUSPROC{statusOfLost});
+        askEveryWay(*context);
+    }
+    SECTION("GL_ARB_robustness alone") {
+        const Instead without(GLAD_GL_KHR_robustness, 0);
+        const Instead has(GLAD_GL_ARB_robustness, 1);
+        const Instead status(glad_glGetGraphicsResetStatusARB,
+                             PFNGLGETGRAPHICSRESETSTATUSARBPROC{statusOfLost});
+        askEveryWay(*context);
+    }
+    SECTION("neither, and glGetError answers for ever") {
+        const Instead without(GLAD_GL_KHR_robustness, 0);
+        const Instead withoutArb(GLAD_GL_ARB_robustness, 0);
+        const Instead error(glad_glGetError, PFNGLGETERRORPROC{errorOfLost});
+        askEveryWay(*context);
+    }
+    SECTION("once, as some drivers do") {
+        told = false;
+        const Instead has(GLAD_GL_KHR_robustness, 1);
+        const Instead status(glad_glGetGraphicsResetStatus,
+                             PFNGLGETGRAPHICSRESETSTATUSPROC{statusToldOnce});
+        askEveryWay(*context);
+    }
+}
+
+TEST_CASE("what is made in a lost context is no defect of the program, nor of its shaders") {
+    gl::Context& context = testContext();
+    SECTION("a buffer and a texture") {
+        const Instead error(glad_glGetError, PFNGLGETERRORPROC{errorOfLost});
+        checkLost([] { gl::Buffer(4, nullptr, GL_STATIC_DRAW, "numbers"); });
+        checkLost([] { gl::makeTexture2D(4, 4, GL_RGBA8, "picture"); });
+    }
+    SECTION("a shader, which does not compile") {
+        const Instead has(GLAD_GL_KHR_robustness, 1);
+        const Instead status(glad_glGetGraphicsResetStatus,
+                             PFNGLGETGRAPHICSRESETSTATUSPROC{statusOfLost});
+        gl::ProgramDescription broken;
+        broken.vertex = "broken.vert";
+        broken.source = [](std::string_view) -> std::optional<std::string> { return "nonsense\n"; };
+        checkLost([&] { gl::Program{broken}; });
+    }
+    // The functions are back, and all is well again.
+    CHECK_NOTHROW(context.check());
+}
