@@ -5,6 +5,7 @@
 
 #include "files/write_file.hpp"
 #include "gpu/test_context.hpp"
+#include "image/stored_state.hpp"
 
 using namespace sunder;
 using nlohmann::json;
@@ -44,35 +45,80 @@ void writeJson(const fs::path& path, const json& contents) {
     writeFile(path, contents.dump(2) + "\n");
 }
 
-}  // namespace
-
-PictureResult drawAndCompare(const SuitePicture& picture, const fs::path& baseline,
-                             const ComparisonLimits& limits) {
-    PictureResult result;
+/// Draws it into `result`, or says there why not.
+bool draw(const SuitePicture& picture, const fs::path& folder, const DrawPicture& drawPicture,
+          PictureResult& result) {
+    // What others left behind is not this picture's.
+    testContext().takeErrors();
+    const auto failed = [&result](const char* verdict, const std::string& sentence) {
+        result.verdict = verdict;
+        result.sentence = sentence;
+        return false;
+    };
+    const fs::path state = stateOf(folder, picture);
+    if (picture.storedState() && !fs::exists(state)) {
+        result.accept = "tools/update-baselines " + picture.name;
+        return failed("missing state", state.string() + ": there is no stored state");
+    }
     try {
-        result.actual = drawSuitePicture(picture);
+        result.actual = drawPicture(picture, folder);
+    } catch (const StateError& error) {
+        result.accept = "tools/update-baselines --states " + picture.name;
+        failed("damaged state", error.what());
     } catch (const std::exception& error) {
-        result.verdict = "missing picture";
-        result.sentence = error.what();
-        return result;
+        failed("missing picture", error.what());
     }
     result.glErrors = testContext().takeErrors();
-    try {
-        result.expected = readPng(baseline);
-    } catch (const InputError& error) {
-        result.verdict = "missing baseline";
-        result.sentence = error.what();
-        return result;
-    }
-    if (result.expected->width != result.actual->width ||
-        result.expected->height != result.actual->height) {
+    return result.actual.has_value();
+}
+
+void compareWithBaseline(const ComparisonLimits& limits, PictureResult& result) {
+    const Image &expected = *result.expected, &actual = *result.actual;
+    if (expected.width != actual.width || expected.height != actual.height) {
         result.verdict = "size mismatch";
-        result.sentence = "the picture has " + size(*result.actual) + " pixels, its baseline " +
-                          size(*result.expected);
+        result.sentence =
+            "the picture has " + size(actual) + " pixels, its baseline " + size(expected);
+        return;
+    }
+    result.comparison = compare(expected, actual, limits.threshold);
+    result.verdict = result.comparison->alike(limits) ? "alike" : "mismatch";
+    if (!result.holds()) result.sentence = describe(*result.comparison);
+}
+
+}  // namespace
+
+PictureResult drawAndCompare(const SuitePicture& picture, const fs::path& folder,
+                             const ComparisonLimits& limits, const DrawPicture& drawPicture) {
+    PictureResult result;
+    const auto failed = [&result](const char* verdict, const std::string& sentence) {
+        result.verdict = verdict;
+        result.sentence = sentence;
+    };
+    if (!draw(picture, folder, drawPicture, result)) return result;
+
+    const fs::path baseline = baselineOf(folder, picture);
+    // What solvers make alike has one baseline, which only the picture that it is named after
+    // renews.
+    const std::string accept =
+        picture.ownBaseline() ? "tools/update-baselines " + picture.name : "";
+    if (!fs::exists(baseline)) {
+        failed("missing baseline", baseline.string() + ": there is no baseline");
+        result.accept = accept;
     } else {
-        result.comparison = compare(*result.expected, *result.actual, limits.threshold);
-        result.verdict = result.comparison->alike(limits) ? "alike" : "mismatch";
-        if (result.verdict == "mismatch") result.sentence = describe(*result.comparison);
+        try {
+            result.expected = readPng(baseline);
+            compareWithBaseline(limits, result);
+        } catch (const InputError& error) {
+            failed("damaged baseline", error.what());
+        }
+        if (!result.holds()) result.accept = accept;
+    }
+    // Last: a picture drawn with errors is no ground to accept anything, whatever it looks like.
+    if (!result.glErrors.empty()) {
+        const std::string also = result.holds() ? "" : "; " + result.verdict;
+        failed("GL errors", "drawing it made " + std::to_string(result.glErrors.size()) +
+                                " OpenGL errors" + also);
+        result.accept.clear();
     }
     return result;
 }
@@ -85,17 +131,13 @@ void writePictureResult(const SuitePicture& picture, const PictureResult& result
                         const ComparisonLimits& limits, bool onBaselineDriver) {
     const fs::path folder = kReport / "pictures";
     const gl::DeviceInfo& info = testContext().info();
-    json contents{{"name", picture.name},
-                  {"scene", picture.scene},
-                  {"frame", picture.frame},
-                  {"verdict", result.verdict},
-                  {"holds", result.holds()},
-                  {"sentence", result.sentence},
-                  {"gl_errors", result.glErrors},
-                  {"limits", toJson(limits)},
-                  {"baseline_driver", onBaselineDriver},
-                  {"renderer", info.renderer},
-                  {"gl_version", info.version}};
+    json contents{{"name", picture.name},         {"scene", picture.scene},
+                  {"frame", picture.frame},       {"solver", toString(picture.solver)},
+                  {"baseline", picture.baseline}, {"verdict", result.verdict},
+                  {"holds", result.holds()},      {"sentence", result.sentence},
+                  {"accept", result.accept},      {"gl_errors", result.glErrors},
+                  {"limits", toJson(limits)},     {"baseline_driver", onBaselineDriver},
+                  {"renderer", info.renderer},    {"gl_version", info.version}};
     if (result.comparison) {
         contents["numbers"] = toJson(*result.comparison);
         fs::create_directories(folder);
@@ -108,12 +150,14 @@ void writePictureResult(const SuitePicture& picture, const PictureResult& result
 }
 
 void writeControlResult(const std::string& picture, const std::string& change,
-                        const Comparison& comparison, const ComparisonLimits& limits) {
+                        const Comparison& comparison, const ComparisonLimits& limits, bool seen,
+                        bool seenByDefault) {
     std::string name = picture + "-" + change;
     std::replace(name.begin(), name.end(), ' ', '-');
     writeJson(kReport / "controls" / (name + ".json"), {{"picture", picture},
                                                         {"change", change},
-                                                        {"seen", !comparison.alike(limits)},
+                                                        {"seen", seen && seenByDefault},
+                                                        {"seen_by_default", seenByDefault},
                                                         {"numbers", toJson(comparison)},
                                                         {"limits", toJson(limits)}});
 }

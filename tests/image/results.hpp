@@ -7,20 +7,29 @@
 
 /// What became of a picture of the suite.
 struct PictureResult {
-    /// "alike", or one of four failures: "mismatch", "size mismatch", "missing baseline", "missing
-    /// picture".
+    /// "alike", or one of the failures: "missing state", "damaged state", "missing picture"
+    /// (drawing it threw), "GL errors", "missing baseline", "damaged baseline", "size mismatch",
+    /// "mismatch".
     std::string verdict;
     std::string sentence;  ///< what is wrong
+    std::string accept;    ///< command after which it holds, if it is right as it is; may be empty
     std::optional<sunder::Image> expected, actual;
     std::optional<sunder::Comparison> comparison;
     std::vector<std::string> glErrors;
 
-    bool holds() const { return verdict == "alike" && glErrors.empty(); }
+    bool holds() const { return verdict == "alike"; }
 };
 
-/// Draws it and compares it with its baseline.
-PictureResult drawAndCompare(const SuitePicture&, const std::filesystem::path& baseline,
-                             const sunder::ComparisonLimits&);
+inline sunder::Image drawUnchanged(const SuitePicture& picture,
+                                   const std::filesystem::path& folder) {
+    return drawSuitePicture(picture, folder);
+}
+using DrawPicture = std::function<sunder::Image(const SuitePicture&, const std::filesystem::path&)>;
+/// Draws it and compares it with its baseline. `folder`: tests/image, or one like it. `draw`: in
+/// drawSuitePicture()'s place.
+PictureResult drawAndCompare(const SuitePicture&, const std::filesystem::path& folder,
+                             const sunder::ComparisonLimits&,
+                             const DrawPicture& draw = drawUnchanged);
 
 /// Forgets the pictures of earlier runs.
 void clearPictureResults();
@@ -29,6 +38,8 @@ void clearPictureResults();
 void writePictureResult(const SuitePicture&, const PictureResult&, const sunder::ComparisonLimits&,
                         bool onBaselineDriver);
 
-/// A change that the comparison must see, and whether it did.
+/// A change that the comparison must see within the suite's limits and within those that `sunder
+/// compare` has by default, and whether it did.
 void writeControlResult(const std::string& picture, const std::string& change,
-                        const sunder::Comparison&, const sunder::ComparisonLimits&);
+                        const sunder::Comparison&, const sunder::ComparisonLimits&, bool seen,
+                        bool seenByDefault);

@@ -1,94 +1,201 @@
 #include "image/suite.hpp"
 
-#include <toml++/toml.h>
 #include <algorithm>
+#include <array>
+#include <memory>
+#include <set>
 
-#include "cpu/cpu_solver.hpp"
+#include "gpu/gather.hpp"
+#include "gpu/scatter.hpp"
 #include "gpu/test_context.hpp"
+#include "image/stored_state.hpp"
 #include "render/legend.hpp"
+#include "scene/table_reader.hpp"
+#include "scene/toml_file.hpp"
 
 using namespace sunder;
+namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void fail(const toml::node& where, const std::string& problem) {
-    throw InputError("tests/image/suite.toml:" + std::to_string(where.source().begin.line) + ": " +
-                     problem);
+constexpr SuiteSolver kSolvers[] = {SuiteSolver::Cpu, SuiteSolver::Gather, SuiteSolver::Scatter};
+
+constexpr WholeRange kThreshold{0, 255};
+constexpr Range kShare{0, 1}, kLevels{0, 255};
+
+template <class T, class Allowed>
+T required(const TableReader& table, const char* key, const char* hint, const Allowed& allowed) {
+    table.require(key, hint);
+    T value{};
+    table.read(key, value, allowed);
+    return value;
 }
 
-template <class T>
-T required(const toml::table& table, const char* key) {
-    if (const auto value = table[key].value<T>()) return *value;
-    fail(table, std::string(key) + " is missing, or of another type");
+ComparisonLimits readLimits(const TableReader& table) {
+    return {.threshold = required<int>(table, "threshold", "levels, 0 to 255", kThreshold),
+            .share = required<double>(table, "share", "0 to 1", kShare),
+            .window = required<double>(table, "window", "0 to 1", kShare),
+            .mean = required<double>(table, "mean", "levels, 0 to 255", kLevels)};
 }
 
-ComparisonLimits readLimits(const toml::table& table) {
-    return {.threshold = static_cast<int>(required<std::int64_t>(table, "threshold")),
-            .share = required<double>(table, "share"),
-            .window = required<double>(table, "window"),
-            .mean = required<double>(table, "mean")};
+template <class T, class Allowed>
+void readOptional(const TableReader& table, const char* key, std::optional<T>& value,
+                  const Allowed& allowed) {
+    T read{};
+    if (table.read(key, read, allowed)) value = read;
 }
 
 /// Reads one of `choices` by its name; left as it is where the table does not say.
 template <class Choice, std::size_t Count>
-void readChoice(const toml::table& table, const char* key, Choice& value,
+void readChoice(const TableReader& table, const char* key, Choice& value,
                 const Choice (&choices)[Count]) {
-    const auto word = table[key].value<std::string>();
-    if (!word) return;
-    const auto found = std::find_if(choices, choices + Count,
-                                    [&](Choice choice) { return toString(choice) == *word; });
-    if (found == choices + Count) fail(table, std::string(key) + " cannot be '" + *word + "'");
-    value = *found;
+    std::array<std::string_view, Count> names;
+    std::transform(choices, choices + Count, names.begin(),
+                   [](Choice choice) { return toString(choice); });
+    if (const auto chosen = table.readChoice(key, names)) value = choices[*chosen];
 }
 
-SuitePicture readPicture(const toml::table& table) {
-    const std::vector<std::string> known{"name", "scene", "frame", "mesh", "style", "colour"};
-    for (const auto& [key, value] : table)
-        if (std::find(known.begin(), known.end(), key.str()) == known.end())
-            fail(value, "unknown key '" + std::string(key.str()) + "'");
+SuitePicture readPicture(const TableReader& table) {
     SuitePicture picture;
-    picture.name = required<std::string>(table, "name");
-    picture.scene = required<std::string>(table, "scene");
-    picture.frame = static_cast<int>(required<std::int64_t>(table, "frame"));
+    picture.name = required<std::string>(table, "name", "of the baseline", 60);
+    // It becomes a file's name, and an argument of tools/update-baselines.
+    if (picture.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") !=
+        std::string::npos)
+        table.fail("name", "name must be of a to z, 0 to 9 and '-'");
+    picture.scene = required<std::string>(table, "scene", "a preset", 60);
+    picture.frame = required<int>(table, "frame", "of 1/60 s", WholeRange{0, 10000});
+    picture.baseline = picture.name;
+    table.read("baseline", picture.baseline, 60);
     picture.settings.width = 480;
     picture.settings.height = 270;
+    readChoice(table, "solver", picture.solver, kSolvers);
     readChoice(table, "mesh", picture.settings.mesh, kDrawnMeshes);
     readChoice(table, "style", picture.settings.style, kDrawStyles);
     readChoice(table, "colour", picture.colour, kWallColours);
+    readOptional(table, "threshold", picture.threshold, kThreshold);
+    readOptional(table, "share", picture.share, kShare);
+    readOptional(table, "window", picture.window, kShare);
+    readOptional(table, "mean", picture.mean, kLevels);
     return picture;
+}
+
+void readPictures(const TableReader& root, Suite& suite) {
+    const TableReader::Keys known{"name",  "scene",  "frame",     "solver", "baseline", "mesh",
+                                  "style", "colour", "threshold", "share",  "window",   "mean"};
+    std::set<std::string> own;
+    for (const TableReader& table : root.tables("picture", known, 1000)) {
+        const SuitePicture picture = readPicture(table);
+        for (const SuitePicture& other : suite.pictures)
+            if (other.name == picture.name) table.fail("name", "another picture has this name");
+        if (picture.ownBaseline()) own.insert(picture.name);
+        // What is above it, so that no two can name each other.
+        else if (!own.count(picture.baseline))
+            table.fail("baseline", "no picture above has a baseline '" + picture.baseline + "'");
+        suite.pictures.push_back(picture);
+    }
+}
+
+std::unique_ptr<gpu::GpuSolver> makeGpuSolver(SuiteSolver solver, const World& world,
+                                              const gpu::WorldBuffers& buffers) {
+    if (solver == SuiteSolver::Gather) return std::make_unique<gpu::GatherSolver>(world, buffers);
+    return std::make_unique<gpu::ScatterSolver>(world, buffers);
 }
 
 }  // namespace
 
-Suite readSuite(const std::filesystem::path& path) {
-    const toml::table file = toml::parse_file(path.string());
+std::string_view toString(SuiteSolver solver) {
+    switch (solver) {
+        case SuiteSolver::Gather:
+            return "gather";
+        case SuiteSolver::Scatter:
+            return "scatter";
+        case SuiteSolver::Cpu:
+            break;
+    }
+    return "cpu";
+}
+
+const SuitePicture& Suite::picture(const std::string& name) const {
+    for (const SuitePicture& picture : pictures)
+        if (picture.name == name) return picture;
+    throw InputError("the suite has no picture '" + name + "'");
+}
+
+bool Suite::madeBaselines(const gl::DeviceInfo& device) const {
+    return device.renderer.starts_with(baselineRenderer) &&
+           device.version.find(baselineVersion) != std::string::npos;
+}
+
+ComparisonLimits Suite::limits(const SuitePicture& picture, const gl::DeviceInfo& device) const {
+    const bool made = madeBaselines(device);
+    ComparisonLimits limits = made ? baselineLimits : otherLimits;
+    const auto adapt = [made](auto& limit, const auto& own) {
+        if (own) limit = made ? *own : std::max(limit, *own);
+    };
+    adapt(limits.threshold, picture.threshold);
+    adapt(limits.share, picture.share);
+    adapt(limits.window, picture.window);
+    adapt(limits.mean, picture.mean);
+    return limits;
+}
+
+Suite parseSuite(std::string_view text, const std::string& file) {
+    const toml::table table = parseToml(text, file);
+    const TableReader root(table, file, "the suite",
+                           {"baseline_driver", "other_drivers", "picture"});
     Suite suite;
-    const toml::table& baseline = *file["baseline_driver"].as_table();
-    suite.baselineRenderer = required<std::string>(baseline, "renderer");
+    root.require("baseline_driver", "a table");
+    root.require("other_drivers", "a table");
+    const TableReader baseline = *root.table(
+        "baseline_driver", {"renderer", "version", "threshold", "share", "window", "mean"});
+    suite.baselineRenderer =
+        required<std::string>(baseline, "renderer", "how GL_RENDERER begins", 100);
+    suite.baselineVersion =
+        required<std::string>(baseline, "version", "what GL_VERSION contains", 100);
     suite.baselineLimits = readLimits(baseline);
-    suite.otherLimits = readLimits(*file["other_drivers"].as_table());
-    for (const toml::node& picture : *file["picture"].as_array())
-        suite.pictures.push_back(readPicture(*picture.as_table()));
+    suite.otherLimits =
+        readLimits(*root.table("other_drivers", {"threshold", "share", "window", "mean"}));
+    readPictures(root, suite);
     return suite;
 }
 
-Image drawSuitePicture(const SuitePicture& picture, const std::function<void(Scene&)>& change) {
+Suite readSuite(const fs::path& path) {
+    return parseSuite(readTextFile(path), "tests/image/" + path.filename().string());
+}
+
+fs::path baselineOf(const fs::path& folder, const SuitePicture& picture) {
+    return folder / "baselines" / (picture.baseline + ".png");
+}
+
+fs::path stateOf(const fs::path& folder, const SuitePicture& picture) {
+    return folder / "states" / (picture.scene + "-" + std::to_string(picture.frame) + ".state");
+}
+
+Image drawSuitePicture(const SuitePicture& picture, const fs::path& folder,
+                       const SceneChange& change) {
     testContext();
     Scene scene = loadScene(picture.scene);
     change(scene);
     const World world(scene.world);
-    CpuSolver solver(world, 0);
-    solver.advance(scene.substeps * picture.frame);
-    const State state = solver.state();
-
-    CellColours colours(world);
-    colours.update(state, picture.colour);
     const gpu::WorldBuffers buffers(world);
-    gpu::StateUpload upload(world);
     Renderer renderer(world, buffers);
+    CellColours colours(world);
     RenderSettings settings = picture.settings;
     settings.colours = &colours;
-    Image image = renderer.draw(upload.upload(state), scene.camera, settings);
-    drawLegend(image, colours.key());
-    return image;
+    const auto draw = [&](const gpu::StateView& view, const State& state) {
+        colours.update(state, picture.colour);
+        Image image = renderer.draw(view, scene.camera, settings);
+        drawLegend(image, colours.key());
+        return image;
+    };
+    if (picture.solver != SuiteSolver::Cpu) {
+        const auto solver = makeGpuSolver(picture.solver, world, buffers);
+        solver->advance(scene.substeps * picture.frame);
+        solver->finish();
+        return draw(solver->view(), solver->state());
+    }
+    const State state =
+        picture.storedState() ? readState(stateOf(folder, picture), world) : world.initialState();
+    gpu::StateUpload upload(world);
+    return draw(upload.upload(state), state);
 }

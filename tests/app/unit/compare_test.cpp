@@ -1,6 +1,7 @@
 // `sunder compare`, which needs no OpenGL.
 #include "app/support/program.hpp"
 #include "catch.hpp"
+#include "image/comparison.hpp"
 #include "image/image.hpp"
 
 using namespace sunder;
@@ -44,6 +45,12 @@ TEST_CASE("App: compare says whether pictures are alike, in words, numbers and a
     CHECK(report.at("largest") == 64);
     CHECK(report.at("mean") == Approx(64 * 144.0 / 2400));
     CHECK(report.at("worst_window").at("share") == Approx(144.0 / 256));
+    // Those that tests/image shows to see what they should.
+    const ComparisonLimits limits;
+    CHECK(report.at("limits").at("threshold") == limits.threshold);
+    CHECK(report.at("limits").at("share") == limits.share);
+    CHECK(report.at("limits").at("window") == limits.window);
+    CHECK(report.at("limits").at("mean") == limits.mean);
     const Image diff = readPng(place.path("diff.png"));
     CHECK(diff.pixels[3 * (60 * 15 + 25) + 1] == 255);
     CHECK(diff.pixels[0] == 0);
@@ -51,6 +58,27 @@ TEST_CASE("App: compare says whether pictures are alike, in words, numbers and a
     const Result lenient = place.run(
         {"compare", "a.png", "b.png", "--share", "0.1", "--window", "0.6", "--mean", "4"}, kNoGl);
     CHECK(lenient.exitCode == 0);
+}
+
+TEST_CASE(
+    "App: compare sees every pixel off by two levels, and a patch, without being told limits") {
+    const Workplace place;
+    const Image a = gradient(60, 40);
+    Image brighter = a;
+    for (std::uint8_t& value : brighter.pixels) value = static_cast<std::uint8_t>(value + 2);
+    // 42 of 256 pixels, in a picture large enough for them to be few.
+    const Image large = gradient(60, 600);
+    Image patched = large;
+    for (int y = 300; y < 306; ++y)
+        for (int x = 20; x < 27; ++x) patched.pixels[3 * (60 * y + x)] ^= 64;
+    writePng(place.path("a.png"), a);
+    writePng(place.path("brighter.png"), brighter);
+    writePng(place.path("large.png"), large);
+    writePng(place.path("patched.png"), patched);
+    CHECK(place.run({"compare", "a.png", "brighter.png"}, kNoGl).exitCode == 1);
+    CHECK(place.run({"compare", "large.png", "patched.png"}, kNoGl).exitCode == 1);
+    CHECK(place.run({"compare", "large.png", "patched.png", "--window", "0.17"}, kNoGl).exitCode ==
+          0);
 }
 
 TEST_CASE("App: pictures of two sizes are different, not an error") {
