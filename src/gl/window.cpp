@@ -41,8 +41,8 @@ Key keyOf(int key, int scancode) {
     return key > ' ' && key < 128 ? static_cast<Key>(key) : Key::None;
 }
 
-GLFWwindow* makeWindow(const Window::Options& options) {
-    hintCoreContext(4, 1, true);
+GLFWwindow* makeWindow(const Window::Options& options, bool told) {
+    hintCoreContext(4, 1, true, told);
     // Pictures are drawn into a target of their own and copied: samples and depth are there.
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
@@ -126,7 +126,8 @@ class GlfwWindow final : public Window {
 
   private:
     struct Handle {
-        explicit Handle(const Options& options) : handle(makeWindow(options)) {
+        explicit Handle(const Options& options) : handle(makeWindow(options, true)) {
+            if (!handle) handle = makeWindow(options, false);
             if (!handle)
                 throw ContextError(
                     "a window with OpenGL 4.1 core cannot be opened: " + glfwErrorText() + kAdvice);
