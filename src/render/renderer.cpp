@@ -79,11 +79,11 @@ struct Renderer::Impl {
     std::optional<Transparency> transparency;  ///< where a material is transparent
     PictureTarget target;
 
-    Impl(const World& w, const gpu::WorldBuffers& b)
+    Impl(const World& w, const gpu::WorldBuffers& b, const Impl* like)
         : world(w),
           buffers(b),
           bounds(sceneBounds(world)),
-          shading(world, bounds, noAttributes),
+          shading(world, bounds, noAttributes, like ? &like->shading : nullptr),
           backdrop(bounds, noAttributes) {
         if (!world.objects().empty()) objects.emplace(world, buffers, noAttributes);
         if (shading.looks().anyTransparent()) transparency.emplace(noAttributes);
@@ -169,8 +169,8 @@ std::string_view toString(DrawStyle style) {
     return "";
 }
 
-Renderer::Renderer(const World& world, const gpu::WorldBuffers& buffers)
-    : impl_(std::make_unique<Impl>(world, buffers)) {}
+Renderer::Renderer(const World& world, const gpu::WorldBuffers& buffers, const Renderer* like)
+    : impl_(std::make_unique<Impl>(world, buffers, like ? like->impl_.get() : nullptr)) {}
 
 Renderer::~Renderer() = default;
 

@@ -47,7 +47,9 @@ struct RenderSettings {
 /// still touch) show as dark lines.
 class Renderer {
   public:
-    Renderer(const World&, const gpu::WorldBuffers&);
+    /// `like`: one of the same context, whose textures it shares where they are what this world
+    /// needs: making them takes a software driver longer than all else.
+    Renderer(const World&, const gpu::WorldBuffers&, const Renderer* like = nullptr);
     ~Renderer();
 
     /// The display mesh, made when it is first drawn.

@@ -4,9 +4,12 @@
 
 namespace sunder {
 
-Shading::Shading(const World& world, const SceneBounds& bounds, const gl::VertexArray& noAttributes)
+Shading::Shading(const World& world, const SceneBounds& bounds, const gl::VertexArray& noAttributes,
+                 const Shading* like)
     : looks_(world),
-      textures_(world, noAttributes),
+      textures_(like && like->textures_->fits(world)
+                    ? like->textures_
+                    : std::make_shared<SurfaceTextures>(world, noAttributes)),
       shadows_(bounds, looks_.anyTransparent()),
       grounded_(bounds.ground) {}
 
@@ -19,7 +22,7 @@ void Shading::prepare(const gl::Program& program) {
 
 void Shading::bind(const gl::Program& program, const glm::vec3& eye) const {
     looks_.bind();
-    textures_.bind(program);
+    textures_->bind(program);
     shadows_.bind(program);
     paint_.bind(program);
     setUniform(program, "grounded", grounded_);

@@ -1,4 +1,6 @@
 #pragma once
+#include <memory>
+
 #include "render/cell_paint.hpp"
 #include "render/look_table.hpp"
 #include "render/shadow_map.hpp"
@@ -10,7 +12,9 @@ namespace sunder {
 /// be painted with instead. One for a world.
 class Shading {
   public:
-    Shading(const World&, const SceneBounds&, const gl::VertexArray& noAttributes);
+    /// Shares the textures of `like`, if there is one and they are what this world needs.
+    Shading(const World&, const SceneBounds&, const gl::VertexArray& noAttributes,
+            const Shading* like);
 
     /// Once for a program that includes draw/surface.glsl, or a part of it.
     static void prepare(const gl::Program&);
@@ -23,7 +27,7 @@ class Shading {
 
   private:
     LookTable looks_;
-    SurfaceTextures textures_;
+    std::shared_ptr<const SurfaceTextures> textures_;
     ShadowMap shadows_;
     CellPaint paint_;
     bool grounded_;

@@ -1,7 +1,6 @@
 #include "render/surface_textures.hpp"
 
 #include <algorithm>
-#include <set>
 #include <string>
 #include <string_view>
 
@@ -112,18 +111,22 @@ class LayerBake {
 
 }  // namespace
 
-SurfaceTextures::SurfaceTextures(const World& world, const gl::VertexArray& noAttributes) {
-    const std::set<int> needed = layersOf(world);
-    layers_ = gl::makeTextureArray(kSide, kSide, static_cast<int>(needed.size()), GL_RGBA8,
+SurfaceTextures::SurfaceTextures(const World& world, const gl::VertexArray& noAttributes)
+    : made_(layersOf(world)) {
+    layers_ = gl::makeTextureArray(kSide, kSide, static_cast<int>(made_.size()), GL_RGBA8,
                                    "surface textures");
     const LayerBake bake(noAttributes);
     int place = 0;
-    for (const int layer : needed) {
+    for (const int layer : made_) {
         bake.draw(layer, layers_, place);
         places_[layer] = place++;
     }
     gl::bindTexture(kSurfaceUnit, GL_TEXTURE_2D_ARRAY, layers_);
     filterWithMipmaps();
+}
+
+bool SurfaceTextures::fits(const World& world) const {
+    return made_ == layersOf(world);
 }
 
 void SurfaceTextures::prepare(const gl::Program& program) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <set>
 
 #include "../../glsl/draw/surface_layers.h"
 #include "core/world.hpp"
@@ -13,6 +14,8 @@ namespace sunder {
 class SurfaceTextures {
   public:
     SurfaceTextures(const World&, const gl::VertexArray& noAttributes);
+    /// Whether it has just the layers that a world needs.
+    bool fits(const World&) const;
 
     /// Once for a program that samples `surfaces`.
     static void prepare(const gl::Program&);
@@ -20,6 +23,7 @@ class SurfaceTextures {
     void bind(const gl::Program&) const;
 
   private:
+    std::set<int> made_;
     std::array<int, SUNDER_SURFACE_LAYERS> places_{};  ///< of the layers, in the array
     gl::Texture layers_;
 };

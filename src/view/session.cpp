@@ -35,7 +35,7 @@ Session::Session(gl::Window& shown, const Options& options, Settings remembered)
       opened_(loadScene(options.scene)) {
     if (!options.solver.empty()) settings.solver = findSolver(options.solver).name;
     const auto start = Instant::now();
-    stage = newStage(opened_, nullptr);
+    stage = newStage(opened_, nullptr, nullptr);
     buildTime_ = secondsSince(start);
     sayCompromises();
     if (!options.shaders.empty()) {
@@ -65,9 +65,9 @@ bool Session::attempt(Action&& action) {
     return false;
 }
 
-std::unique_ptr<Stage> Session::newStage(Scene scene, const State* state) {
+std::unique_ptr<Stage> Session::newStage(Scene scene, const State* state, const Stage* like) {
     auto next =
-        std::make_unique<Stage>(std::move(scene), settings.solver, settings.sceneHits, state);
+        std::make_unique<Stage>(std::move(scene), settings.solver, settings.sceneHits, state, like);
     next->rehearse(settings.mesh, settings.style);
     return next;
 }
@@ -75,7 +75,7 @@ std::unique_ptr<Stage> Session::newStage(Scene scene, const State* state) {
 bool Session::rebuild(Scene scene, const State* state) {
     const auto start = Instant::now();
     const bool built = attempt([&] {
-        auto next = newStage(std::move(scene), state);
+        auto next = newStage(std::move(scene), state, stage.get());
         if (state) next->colours.continueScales(stage->colours);
         stage = std::move(next);
     });
@@ -328,7 +328,7 @@ void Session::tryShaders() {
     const State state = stage->simulation.state();
     clock.skip();
     try {
-        auto next = newStage(scene(), &state);
+        auto next = newStage(scene(), &state, nullptr);  // textures are made by shaders, too
         for (const DrawnMesh mesh : kDrawnMeshes)
             for (const DrawStyle style : kDrawStyles) next->rehearse(mesh, style);
         next->colours.continueScales(stage->colours);

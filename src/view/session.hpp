@@ -134,7 +134,7 @@ class Session {
     bool attempt(Action&&);
     /// Replaces the stage, or says why not.
     bool rebuild(Scene, const State*);
-    std::unique_ptr<Stage> newStage(Scene, const State*);
+    std::unique_ptr<Stage> newStage(Scene, const State*, const Stage* like);
     /// Says what the wall that stands now is not as its scene has it.
     void sayCompromises();
     /// Whether a file may be written: it is new, or was written before, or is asked for again.

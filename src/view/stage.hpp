@@ -11,10 +11,11 @@ namespace sunder::view {
 /// new one fails, the old one goes on.
 class Stage {
   public:
-    /// Throws InputError for a scene that cannot be laid out or drawn.
-    Stage(Scene scene, const std::string& solver, bool hits, const State* state = nullptr)
+    /// `like`: another one, with which it shares what it can. Throws InputError for a scene that
+    /// cannot be laid out or drawn.
+    Stage(Scene scene, const std::string& solver, bool hits, const State* state, const Stage* like)
         : simulation(std::move(scene), solver, hits, state),
-          renderer(simulation.world(), simulation.buffers()),
+          renderer(simulation.world(), simulation.buffers(), like ? &like->renderer : nullptr),
           colours(simulation.world()),
           picker_(simulation.world(), renderer.displayMesh()) {}
 
