@@ -72,7 +72,8 @@ void VideoFile::check(const fs::path& path, int width, int height, double fps) {
     std::error_code error;
     const fs::path folder = fs::temp_directory_path(error);
     if (error)
-        throw InputError("--video: there is no folder for temporary files: " + error.message());
+        throw InputError("a video cannot be made: there is no folder for temporary files: " +
+                         error.message());
     VideoFile video(folder / fs::path("sunder").concat(path.extension().string()), path, width,
                     height, fps);
     const Image black{width, height, std::vector<std::uint8_t>(std::size_t{3} * width * height, 0)};
@@ -89,8 +90,8 @@ VideoFile::VideoFile(const fs::path& target, const fs::path& named, int width, i
     : named_(named), temporary_(target), ffmpeg_(command(temporary_.path(), width, height, fps)) {
     if (!ffmpeg_.started())
         throw InputError(
-            "--video needs ffmpeg, which is not installed; install it (apt-get install ffmpeg), or "
-            "leave --video out: --frames-png 1 writes every frame as a picture");
+            "a video needs ffmpeg, which is not installed; install it (apt-get install ffmpeg), or "
+            "make pictures instead (`sunder run SCENE --frames-png 1`)");
 }
 
 void VideoFile::add(const Image& image) {
@@ -110,7 +111,7 @@ void VideoFile::close() {
 
 void VideoFile::fail() {
     ffmpeg_.close();
-    throw InputError("--video: ffmpeg cannot write '" + named_.string() + "': " +
+    throw InputError("ffmpeg cannot write '" + named_.string() + "': " +
                      replaced(reason(ffmpeg_.complaints()), "file:" + temporary_.path().string(),
                               named_.string()));
 }

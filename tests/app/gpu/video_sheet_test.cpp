@@ -170,7 +170,7 @@ cat > /dev/null
     INFO(result.err);
     CHECK(result.exitCode == 2);
     CHECK(contains(result.err,
-                   "sunder: --video: ffmpeg cannot write 'wall.mp4': wall.mp4: No space left on "
+                   "sunder: ffmpeg cannot write 'wall.mp4': wall.mp4: No space left on "
                    "device\n"));
     CHECK(place.contents() ==
           std::set<std::string>{"bin", "bin/ffmpeg", "o", "tried", "wall.mp4", "wall.toml"});
@@ -235,7 +235,7 @@ TEST_CASE("App: ffmpeg's own refusals come before the run") {
     place.write("wall.toml", scenes::kFalling);
     for (const std::string name : {"wall.foo", "wall", "wall.png"}) {
         checkRefused(place.run(arguments({"--video", name})), 2,
-                     {"--video: ffmpeg cannot write '" + name + "': "});
+                     {"ffmpeg cannot write '" + name + "': "});
         CHECK(place.contents() == std::set<std::string>{"wall.toml"});
     }
     // H.264 takes even sizes only; the video has a line more.

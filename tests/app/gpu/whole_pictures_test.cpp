@@ -55,7 +55,7 @@ TEST_CASE("App: on a full disk a picture says so by its name, exit code 2, and i
     if (!ffmpegIsThere()) return;
     std::vector<std::string> video = arguments;
     video.insert(video.end(), {"--frames-png", "0", "--video", "a.mkv"});
-    checkRefused(place.runWithFilesUpTo(8, video), 2, {"--video: ffmpeg cannot write 'a.mkv': "});
+    checkRefused(place.runWithFilesUpTo(8, video), 2, {"ffmpeg cannot write 'a.mkv': "});
     CHECK(place.contents() == std::set<std::string>{"o", "ok.toml"});
 }
 

@@ -22,7 +22,7 @@ TEST_CASE("App: --video without ffmpeg is one sentence and exit code 2") {
                                          "wall.mp4", "--json", "a.json", "--out", "o"},
                                         nothingInstalled());
         checkRefused(result, 2,
-                     {"--video needs ffmpeg, which is not installed;", "--frames-png 1"});
+                     {"a video needs ffmpeg, which is not installed;", "--frames-png 1"});
         CHECK(place.contents() == std::set<std::string>{"wall.toml"});
     }
 }
