@@ -26,6 +26,13 @@ WorldDescription cantilever(int across, double poissonRatio) {
     return description;
 }
 
+/// Of the sag, against CalculiX on the same mesh. Laws that differ by the order of the strain make
+/// 0.2 %, what is left of the motion less: five times that.
+constexpr double kSameMesh = 0.01;
+/// Of the sag, against beam theory. Shear makes 3 % of it; near the held end, where cross-sections
+/// cannot warp, it is less than κ has it, over a length of the height, a fifth: 0.6 %.
+constexpr double kBeamTheory = 0.01;
+
 /// Timoshenko beam under its own weight (Timoshenko, Strength of Materials I, art. 39), κ = 5/6 of
 /// a rectangle with ν = 0; without shear it is Euler and Bernoulli's.
 double beamSag(double x, bool shear, double L = kLength) {
@@ -91,26 +98,26 @@ TEST_CASE("a cantilever sags as CalculiX says on the same mesh") {
         const std::vector<Vec3> sag = restingSag(under, description);
         plot.series(under.name, LineStyle::Points, along(mesh, sag));
         report.checkRelative("sag of the tip, " + under.name, along(mesh, sag).back()[1], tip, "mm",
-                             0.01);
+                             kSameMesh);
         double largest = 0;
         for (std::size_t i = 0; i < sag.size(); ++i)
             largest = std::max(largest, 1e3 * (sag[i] - expected[i]).norm());
         report.checkAbsolute("largest difference of any point, " + under.name, largest, 0, "mm",
-                             0.01 * tip);
+                             kSameMesh * tip);
     }
 }
 
 TEST_CASE("a cantilever's sag converges to beam theory as cells get smaller") {
     PhysicsReport report("cantilever-refinement", "Sag of a cantilever as cells get smaller",
                          "The sag of the tip with ν = 0 against Timoshenko's beam; linear "
-                         "tetrahedra are too stiff in bending, and the error must fall as the "
+                         "tetrahedra are too stiff in bending, and by how much must fall as the "
                          "square of the cell's edge; CalculiX on the same meshes");
     const std::string calculix = calculixVersion();
     auto lines = report.plot("Sag along the axis", {"position along the bar", "m"}, {"sag", "mm"});
     lines.series("Timoshenko", LineStyle::Line, beamLine(true));
     lines.series("Euler–Bernoulli", LineStyle::Dashed, beamLine(false));
-    auto errors = report.plot("Error of the tip's sag against Timoshenko's beam",
-                              {"cells over the height", "1", true}, {"error", "1", true});
+    auto errors = report.plot("Stiffness of the bar above Timoshenko's beam's",
+                              {"cells over the height", "1", true}, {"excess", "1", true});
     const double tip = 1e3 * beamSag(kLength, true);
     PlotPoints ours, theirs, square;
     const SolverUnderTest cpu = cpuSolvers().back();
@@ -125,29 +132,30 @@ TEST_CASE("a cantilever's sag converges to beam theory as cells get smaller") {
         const PlotPoints line = along(mesh, restingSag(cpu, description));
         lines.series("cpu, " + std::to_string(across) + " cells over the height", LineStyle::Points,
                      line);
-        ours.push_back({1.0 * across, 1 - line.back()[1] / tip});
-        theirs.push_back({1.0 * across, 1 - expected / tip});
+        ours.push_back({1.0 * across, tip / line.back()[1] - 1});
+        theirs.push_back({1.0 * across, tip / expected - 1});
         square.push_back({1.0 * across, ours[0][1] * 4 / (1.0 * across * across)});
         report.checkRelative("sag of the tip, cpu, " + std::to_string(across) +
                                  " cells over the height, against " + calculix,
-                             line.back()[1], expected, "mm", 0.01);
+                             line.back()[1], expected, "mm", kSameMesh);
     }
     errors.series("cpu", LineStyle::Points, ours);
     errors.series(calculix, LineStyle::Line, theirs);
     errors.series("square of the edge", LineStyle::Dashed, square);
-    // Bending strains vary linearly over cells with one strain each: an error of second order once
-    // there are a few cells over the height.
-    const auto sagOf = [&](std::size_t i) { return tip * (1 - ours[i][1]); };
+    // Bending strains vary linearly over cells with one strain each: too much stiffness of second
+    // order once there are a few cells over the height. Beam theory and a held solid differ by 0.1
+    // % (below), a fifteenth of the excess at 12 cells: that makes less than 0.1 of an order.
+    const auto sagOf = [&](std::size_t i) { return tip / (1 + ours[i][1]); };
     for (const std::size_t i : {2, 3}) {
         const double finer = ours[i][0] / ours[i - 1][0];
         const double order = std::log(ours[i - 1][1] / ours[i][1]) / std::log(finer);
         report.checkAbsolute("order of convergence, up to " +
                                  std::to_string(static_cast<int>(ours[i][0])) +
                                  " cells over the height",
-                             order, 2, "1", 0.2);
+                             order, 2, "1", 0.1);
         if (i == 3)
             report.checkRelative("sag of the tip, cpu, extrapolated to cells of no size",
                                  sagOf(3) + (sagOf(3) - sagOf(2)) / (finer * finer - 1), tip, "mm",
-                                 0.01);
+                                 kBeamTheory);
     }
 }

@@ -115,6 +115,11 @@ Course follow(const SolverUnderTest& under, const World& world, const State& sta
     return course;
 }
 
+/// Of what was turned over, the gap there may be. Symplectic Euler's energy is off by up to (ωh)²/4
+/// of what a wave has: 0.06 % where a bar of few modes is hit, 0.7 % where a landing or a break
+/// makes waves as short as cells are. Half as much again.
+constexpr double kGap = 0.01;
+
 /// J: by how much the books do not balance at worst.
 double largestGap(const Course& course) {
     double worst = 0;
@@ -152,7 +157,7 @@ void closeBooks(PhysicsReport& report, const std::string& story, const SolverUnd
     }
     report.checkAbsolute(
         story + ": largest gap in the books over what was turned over, " + under.name,
-        largestGap(course) / turnover, 0, "1", 0.01);
+        largestGap(course) / turnover, 0, "1", kGap);
 }
 
 WorldDescription heldBar(double drag) {
@@ -202,7 +207,7 @@ TEST_CASE("energy put in is kinetic, elastic, or dissipated") {
     PhysicsReport report("energy-ledger", "Energy ledger",
                          "Work of forces and gravity against kinetic and elastic energy and what "
                          "drag and viscosity take, each summed up by itself");
-    for (const SolverUnderTest& under : cpuSolvers()) {
+    for (const SolverUnderTest& under : allSolvers()) {
         for (const double drag : {0.0, 6.0}) {
             WorldDescription description = heldBar(drag);
             description.events.push_back(push(200, 0.01));
@@ -221,10 +226,12 @@ TEST_CASE("energy put in is kinetic, elastic, or dissipated") {
         const Course course = follow(under, world, world.initialState(), 3000);
         const double fallen = course.entries.front().gravity - course.entries.back().gravity;
         closeBooks(report, "A bar is let go and sags", under, course, fallen);
-        // Let go at once, a spring keeps half of what gravity gives (Clapeyron's theorem).
+        // Let go at once, a spring keeps half of what gravity gives (Clapeyron's theorem). Its
+        // motion has died out but for exp(−20/2·1 s); a law that is not linear makes as much as the
+        // strain, 0.01 %. Ten times that.
         report.checkRelative(
             "A bar is let go and sags: elastic share of gravity's work, " + under.name,
-            course.entries.back().elastic / fallen, 0.5, "1", 0.01);
+            course.entries.back().elastic / fallen, 0.5, "1", 0.001);
     }
 }
 
@@ -232,7 +239,7 @@ TEST_CASE("a landing costs the energy of what lands") {
     PhysicsReport report("energy-of-a-landing", "Energy of a fall on the ground",
                          "A block falls on a ground without friction; what reaches the ground "
                          "stops, and costs its kinetic energy, mv²/2");
-    for (const SolverUnderTest& under : cpuSolvers()) {
+    for (const SolverUnderTest& under : allSolvers()) {
         WorldDescription description = elasticBlock({4, 3, 2}, 0.1, kYoungModulus, 0.3);
         description.gravity = {0, -9.81, 0};
         description.ground = true;
@@ -250,18 +257,22 @@ TEST_CASE("a break costs no energy: what was elastic moves the pieces") {
                          "A bar stretched between two anchors breaks at a weak cell; its elastic "
                          "energy, σ²/2E times the volume, becomes motion and then heat");
     for (const FractureMode mode : {FractureMode::Bond, FractureMode::Cell})
-        for (const SolverUnderTest& under : cpuSolvers()) {
+        for (const SolverUnderTest& under : allSolvers()) {
             const std::string story =
                 "A stretched bar breaks, fracture = \"" + std::string(toString(mode)) + "\"";
             const World world(stretchedBar(mode));
             const Course course = follow(under, world, stretched(world), 800);
             const double stored = 0.5 * kYoungModulus * kStrain * kStrain * 1.2 * 0.1 * 0.1;
+            // Displacements of up to ε·2.4 mm, over an edge and the strain: 1e-6 in single
+            // precision, twice that in energy. Five times as much.
             report.checkRelative(story + ": energy at the start, " + under.name,
-                                 course.entries.front().held(), stored, "J", 1e-3);
+                                 course.entries.front().held(), stored, "J", 1e-5);
             closeBooks(report, story, under, course, stored);
             CHECK(findPieces(world, course.end).count > 1);
             double kinetic = 0;
             for (const Ledger& ledger : course.entries) kinetic = std::max(kinetic, ledger.kinetic);
+            // All of it at the moment when each half has slackened, less what viscosity took from
+            // the short waves of the break.
             CHECK(kinetic > 0.5 * stored);
 
             // What gap there is comes from the step: a break makes waves as short as cells are, and

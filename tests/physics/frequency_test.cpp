@@ -15,7 +15,15 @@ using namespace sunder;
 namespace {
 
 constexpr int kModes = 3;
-constexpr int kLookEvery = 4;    // steps, a hundred looks or more at a period of the slowest mode
+constexpr int kLookEvery = 4;  // steps, a hundred looks or more at a period of the slowest mode
+/// Against CalculiX with its consistent mass. Lumped masses make frequencies lower, with cells of
+/// edge ℓ by about (kℓ)²/12 along the bar, k = 4.7/2 m for mode 3, and as much again for the
+/// turning of cross-sections of two cells: 1 %. Twice that.
+constexpr double kConsistent = 0.02;
+/// Against CalculiX with the same masses. The step raises a frequency by (ωh)²/24, 1e-5; samples of
+/// the spectrum are a quarter of 1/length apart, 2 % of the lowest frequency, and a parabola finds
+/// a peak to a quarter of that.
+constexpr double kSameMasses = 0.005;
 constexpr double kPeriods = 12;  // of the slowest mode: others 1.3 times as fast stand apart
 
 /// Displacements, m, of two corners of the top, one series per component.
@@ -129,7 +137,10 @@ TEST_CASE("the first three natural frequencies of a bar are CalculiX's") {
     auto plot =
         report.plot("Spectrum of free vibration", {"frequency", "Hz"}, {"power", "m²", true});
     PlotPoints points;
-    for (const SolverUnderTest& under : cpuSolvers()) {
+    for (const SolverUnderTest& under : allSolvers()) {
+        // It would take longer in software than all else here; its masses and forces are those of
+        // the wave and the sag.
+        if (under.name == "scatter") continue;
         points = ring(under, world, kPeriods / expected[0], 1.3 * expected.back());
         plot.series(under.name, LineStyle::Line, points);
         const std::vector<double> found = peaks(points);
@@ -137,13 +148,9 @@ TEST_CASE("the first three natural frequencies of a bar are CalculiX's") {
         REQUIRE(found.size() >= kModes);
         for (int mode = 0; mode < kModes; ++mode) {
             const std::string which = "frequency " + std::to_string(mode + 1) + ", " + under.name;
-            // Lumped against consistent mass: with cells of edge ℓ about (kℓ)²/12 along the bar,
-            // and as much again for the turning of cross-sections of two cells; k = 4.7/2 m for
-            // mode 3.
-            report.checkRelative(which, found[mode], expected[mode], "Hz", 0.02);
-            // The same masses and stiffness: what is left is amplitude and where a peak is.
+            report.checkRelative(which, found[mode], expected[mode], "Hz", kConsistent);
             report.checkRelative(which + ", same point masses", found[mode], lumped[mode], "Hz",
-                                 0.005);
+                                 kSameMasses);
         }
     }
     plot.series(calculix + ", consistent mass", LineStyle::Points, onCurve(points, expected));
@@ -183,10 +190,10 @@ TEST_CASE("the natural frequencies of a block, torsion among them, converge to C
         for (int mode = 0; mode < kModes; ++mode) {
             differences[mode].push_back({2.0 * fineness, 1 - found[mode] / consistent[mode]});
             report.checkRelative(modes[mode] + std::string(", ") + across + ", same masses",
-                                 found[mode], lumped[mode], "Hz", 0.005);
+                                 found[mode], lumped[mode], "Hz", kSameMasses);
             if (fineness == 5)
                 report.checkRelative(modes[mode] + std::string(", ") + across + ", consistent mass",
-                                     found[mode], consistent[mode], "Hz", 0.02);
+                                     found[mode], consistent[mode], "Hz", kConsistent);
         }
     }
     for (int mode = 0; mode < kModes; ++mode)
