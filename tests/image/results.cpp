@@ -94,9 +94,15 @@ PictureResult drawAndCompare(const SuitePicture& picture, const fs::path& folder
         result.verdict = verdict;
         result.sentence = sentence;
     };
-    if (!draw(picture, folder, drawPicture, result)) return result;
-
     const fs::path baseline = baselineOf(folder, picture);
+    if (!draw(picture, folder, drawPicture, result)) {
+        // To see what is missing.
+        try {
+            result.expected = readPng(baseline);
+        } catch (const InputError&) {
+        }
+        return result;
+    }
     // What solvers make alike has one baseline, which only the picture that it is named after
     // renews.
     const std::string accept =
@@ -115,9 +121,8 @@ PictureResult drawAndCompare(const SuitePicture& picture, const fs::path& folder
     }
     // Last: a picture drawn with errors is no ground to accept anything, whatever it looks like.
     if (!result.glErrors.empty()) {
-        const std::string also = result.holds() ? "" : "; " + result.verdict;
-        failed("GL errors", "drawing it made " + std::to_string(result.glErrors.size()) +
-                                " OpenGL errors" + also);
+        const std::string also = result.holds() ? "" : "; besides: " + result.verdict;
+        failed("GL errors", "OpenGL errors while it was drawn" + also);
         result.accept.clear();
     }
     return result;

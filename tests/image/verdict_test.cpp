@@ -139,6 +139,7 @@ TEST_CASE("a scene that cannot be drawn is a missing picture, and its errors sta
     CHECK(result.sentence == "no such wall");
     CHECK(result.accept.empty());
     CHECK_FALSE(result.actual);
+    CHECK(result.expected);
     CHECK(result.glErrors.size() == 1);
     CHECK(renewed.result().holds());
 
