@@ -8,7 +8,9 @@
 #include "core/types.hpp"
 
 #if defined(_WIN32)
+#ifndef NOMINMAX  // GCC's library defines it
 #define NOMINMAX
+#endif
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
 #else
