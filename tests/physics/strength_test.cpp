@@ -1,6 +1,7 @@
 // A bar pulled slowly breaks where it is weakest, when its stress is what that place bears.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "catch.hpp"
 #include "core/diagnostics.hpp"
@@ -247,11 +248,11 @@ TEST_CASE("bonds under constant traction take damage at the rate that their law 
             // F is near 1 and rounded to ε, over the strain at the strength that is 2e-5 of r in
             // single precision, and 1e-4 of r − 1. Ten times that.
             for (int axis = 0; axis < 3; ++axis)
-                for (const double found : {low[axis], high[axis]})
-                    report.checkAbsolute(
-                        std::string(name) + ": damage of bonds along " + "xyz"[axis] + ", " +
-                            (found == low[axis] ? "least, " : "most, ") + under.name,
-                        found, expected[axis], "1", 1e-9 + 0.001 * expected[axis]);
+                for (const auto& [which, found] :
+                     {std::pair{"least", low[axis]}, std::pair{"most", high[axis]}})
+                    report.checkAbsolute(std::string(name) + ": damage of bonds along " +
+                                             "xyz"[axis] + ", " + which + ", " + under.name,
+                                         found, expected[axis], "1", 1e-9 + 0.001 * expected[axis]);
         }
     }
 }
