@@ -26,7 +26,6 @@ nlohmann::ordered_json toJson(const gl::DeviceInfo& info) {
 int info(const std::string& jsonPath) {
     nlohmann::ordered_json report;
     report["devices"] = nlohmann::ordered_json::array();
-    bool usable = false;
     for (const gl::DeviceListEntry& entry : gl::listDevices()) {
         nlohmann::ordered_json device = {
             {"index", entry.index}, {"description", entry.description}, {"usable", entry.usable}};
@@ -39,7 +38,6 @@ int info(const std::string& jsonPath) {
             device["problem"] = entry.problem;
             std::cout << "   cannot be used: " << entry.problem << '\n';
         }
-        usable |= entry.usable;
         report["devices"].push_back(std::move(device));
     }
     int result = kDone;

@@ -86,6 +86,8 @@ Image decodePng(std::string_view bytes, const std::string& name) {
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(data, size, &image.width, &image.height, &channels, 3),
         stbi_image_free);
+    if (!pixels && reasonOfStb() == "outofmem")
+        fail(name, "too large or damaged: this machine has not enough memory for it");
     if (!pixels) fail(name, "a damaged PNG picture (" + reasonOfStb() + ")");
     image.pixels.assign(pixels.get(), pixels.get() + 3 * static_cast<std::size_t>(pixelCount));
     return image;

@@ -4,11 +4,13 @@
 #include <string>
 
 #include "core/types.hpp"
+#include "gl/device_failure.hpp"
 
 namespace sunder {
 namespace {
 
 [[noreturn]] void failSize(int width, int height) {
+    if (gl::contextLost()) gl::failContextLost();
     throw InputError("the device cannot draw a picture of " + std::to_string(width) + " x " +
                      std::to_string(height) + " pixels; a smaller --size may work");
 }
