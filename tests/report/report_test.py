@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """tools/report makes a page of whatever the tests left: good, bad or broken."""
 import json
+import os
 import subprocess
 import tempfile
 import unittest
@@ -96,6 +97,16 @@ class Report(unittest.TestCase):
         self.assertIn("Commit not noted", self.make())
         self.leave("commit.txt", "0000000, An old one\n")
         self.assertRegex(self.make(), r"began: 0000000, An old one\.<br>Commit now: (?!0000000)")
+
+    def test_results_of_a_later_run_than_the_list_of_tests_are_said(self):
+        self.leave("states/a.json", STATE)
+        self.leave("ctest.xml", "<testsuite/>")
+        state, tests = (Path(self.place.name, name) for name in ("states/a.json", "ctest.xml"))
+        os.utime(state, (100, 100))
+        os.utime(tests, (101, 101))
+        self.assertNotIn("of an earlier run", self.make())
+        os.utime(state, (102, 102))
+        self.assertIn("of an earlier run", self.make())
 
     def test_start_removes_what_was_left_and_notes_the_commit(self):
         self.leave("states/a.json", STATE)
