@@ -110,9 +110,10 @@ std::string inQuotes(std::string_view text) {
 }
 
 std::string formatNumber(double value) {
+    if (value == 0) return "0";  // TOML reads "-0" as an integer, which has no sign
     char buffer[64];
     const double size = std::abs(value);
-    const bool plain = size == 0 || (size >= 1e-4 && size < 1e7);
+    const bool plain = size >= 1e-4 && size < 1e7;
     const auto format = plain ? std::chars_format::fixed : std::chars_format::general;
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, format).ptr;
     std::string text(buffer, end);
