@@ -6,7 +6,7 @@
 #include "catch.hpp"
 #include "files/write_file.hpp"
 #include "image/stored_state.hpp"
-#include "image/test_folder.hpp"
+#include "support/test_folder.hpp"
 
 using namespace sunder;
 using Catch::Contains;

@@ -3,8 +3,8 @@
 
 #include "catch.hpp"
 #include "files/write_file.hpp"
-#include "image/test_folder.hpp"
 #include "scene/scene.hpp"
+#include "support/test_folder.hpp"
 
 using namespace sunder;
 using Catch::Contains;

@@ -5,7 +5,7 @@
 #include "gpu/test_context.hpp"
 #include "image/renewal.hpp"
 #include "image/results.hpp"
-#include "image/test_folder.hpp"
+#include "support/test_folder.hpp"
 
 using namespace sunder;
 using Catch::Contains;

@@ -7,6 +7,7 @@
 #include "catch.hpp"
 #include "cpu/cpu_solver.hpp"
 #include "scene/scene.hpp"
+#include "support/test_folder.hpp"
 #include "view/picker.hpp"
 #include "view/recorder.hpp"
 #include "view/settings.hpp"
@@ -19,22 +20,6 @@ using namespace sunder::view;
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder that goes away with it.
-struct Folder {
-    Folder() {
-        std::string name = (fs::temp_directory_path() / "sunder-viewer-XXXXXX").string();
-        REQUIRE(mkdtemp(name.data()));
-        path = name;
-    }
-    ~Folder() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    fs::path path;
-};
 
 /// 3 × 2 × 0.1 m, front at z = 0.05.
 const World& wall() {
@@ -204,8 +189,8 @@ TEST_CASE("Anchored nodes are not pushed", "[view]") {
 }
 
 TEST_CASE("Settings are remembered", "[view]") {
-    const Folder folder;
-    const fs::path file = folder.path / "deep" / "viewer.toml";
+    const TestFolder folder;
+    const fs::path file = folder.path() / "deep" / "viewer.toml";
     CHECK(readSettings(file).solver == "gather");  // none yet
     Settings settings;
     settings.solver = "scatter";
@@ -245,8 +230,8 @@ TEST_CASE("Settings are remembered", "[view]") {
 }
 
 TEST_CASE("A settings file with a mistake is named, with its line", "[view]") {
-    const Folder folder;
-    const fs::path file = folder.path / "viewer.toml";
+    const TestFolder folder;
+    const fs::path file = folder.path() / "viewer.toml";
     std::ofstream(file) << "vsync = true\nsolver = \"fastest\"\n";
     CHECK_THROWS_WITH(readSettings(file), Catch::Contains("viewer.toml:2") &&
                                               Catch::Contains("solver") &&
@@ -254,25 +239,25 @@ TEST_CASE("A settings file with a mistake is named, with its line", "[view]") {
 }
 
 TEST_CASE("Pictures get a number that no file has", "[view]") {
-    const Folder folder;
-    CHECK(freshFile(folder.path, "wood", ".png") == folder.path / "wood-001.png");
-    std::ofstream(folder.path / "wood-001.png") << "x";
-    std::ofstream(folder.path / "wood-003.png") << "x";
-    CHECK(freshFile(folder.path, "wood", ".png") == folder.path / "wood-002.png");
+    const TestFolder folder;
+    CHECK(freshFile(folder.path(), "wood", ".png") == folder.path() / "wood-001.png");
+    std::ofstream(folder.path() / "wood-001.png") << "x";
+    std::ofstream(folder.path() / "wood-003.png") << "x";
+    CHECK(freshFile(folder.path(), "wood", ".png") == folder.path() / "wood-002.png");
 }
 
 TEST_CASE("A folder of shaders is read as it is, and tells that it changed", "[view]") {
-    const Folder folder;
-    CHECK_THROWS_WITH(ShaderFolder(folder.path), Catch::Contains("--shader-dir"));
-    fs::create_directories(folder.path / "draw");
-    const fs::path file = folder.path / "draw" / "sky.frag";
+    const TestFolder folder;
+    CHECK_THROWS_WITH(ShaderFolder(folder.path()), Catch::Contains("--shader-dir"));
+    fs::create_directories(folder.path() / "draw");
+    const fs::path file = folder.path() / "draw" / "sky.frag";
     std::ofstream(file) << "one";
-    ShaderFolder shaders(folder.path);
+    ShaderFolder shaders(folder.path());
     const gl::ShaderSource first = shaders.source();
     CHECK(first("draw/sky.frag") == "one");
     CHECK_FALSE(first("draw/gone.frag"));
     CHECK_FALSE(shaders.changed());
-    std::ofstream(folder.path / "draw" / ".sky.frag.swp") << "an editor's";
+    std::ofstream(folder.path() / "draw" / ".sky.frag.swp") << "an editor's";
     CHECK_FALSE(shaders.changed());
     std::ofstream(file) << "two";
     fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(2));

@@ -4,11 +4,11 @@
 
 #include "files/temporary_file.hpp"
 
-/// An empty folder in the place of tests/image, removed at the end.
+/// An empty folder, removed at the end.
 class TestFolder {
   public:
     TestFolder()
-        : path_(sunder::TemporaryFile(std::filesystem::temp_directory_path() / "sunder-image")
+        : path_(sunder::TemporaryFile(std::filesystem::temp_directory_path() / "sunder-test")
                     .path()) {
         std::filesystem::create_directories(path_);
     }
