@@ -29,6 +29,11 @@ void sleepFor(double seconds) {
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
+std::string textOf(const fs::path& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
 Child::Child(const std::vector<std::string>& command, const std::map<std::string, std::string>& set,
              const fs::path& output) {
     // Everything that allocates comes before fork().
@@ -115,11 +120,15 @@ void Screen::act(const std::string& arguments) const {
     run("DISPLAY=" + display_ + " xdotool " + arguments);
 }
 
+void Screen::layOutKeyboard(const std::string& layout) const {
+    run("DISPLAY=" + display_ + " setxkbmap " + layout);
+}
+
 void Screen::manageWindows() {
     const fs::path settings = folder_ / "twmrc";
     // It asks nobody where a window should go, and needs no fonts but the server's own.
     std::ofstream file(settings);
-    file << "RandomPlacement\nNoTitle\n";
+    file << "RandomPlacement\nNoTitle\n\"F10\" = : all : f.delete\n";
     for (const char* what : {"Title", "Resize", "Menu", "Icon", "IconManager"})
         file << what << "Font \"fixed\"\n";
     file.close();

@@ -38,8 +38,11 @@ class Screen {
 
     const std::string& display() const { return display_; }
     const std::filesystem::path& folder() const { return folder_; }  ///< for a test's files
-    /// Starts a window manager (twm), without which windows cannot be minimised.
+    /// Starts a window manager (twm), without which windows cannot be minimised. F10 asks the
+    /// window under the mouse to close, as its button would.
     void manageWindows();
+    /// The keyboard's layout from now on, such as `fr`, whatever it was.
+    void layOutKeyboard(const std::string& layout) const;
     /// xdotool with these arguments.
     void act(const std::string& arguments) const;
     /// What is on it now.
@@ -57,11 +60,14 @@ bool eventually(Condition&& condition);
 
 void sleepFor(double seconds);
 
+/// Of a whole file; empty where there is none.
+std::string textOf(const std::filesystem::path&);
+
 template <class Condition>
 bool eventually(Condition&& condition) {
-    for (int i = 0; i < 600; ++i) {
+    for (int i = 0; i < 2400; ++i) {
         if (condition()) return true;
-        sleepFor(0.1);
+        sleepFor(0.025);
     }
     return false;
 }

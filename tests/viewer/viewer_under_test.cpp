@@ -1,17 +1,23 @@
 #include "viewer_under_test.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
-#include <set>
-#include <sstream>
 
 #include "catch.hpp"
 
 namespace fs = std::filesystem;
 
+namespace {
+
+std::string moveTo(double x, double y) {
+    return "mousemove " + std::to_string(std::lround(x)) + " " + std::to_string(std::lround(y));
+}
+
+}  // namespace
+
 ViewerUnderTest::ViewerUnderTest(const Screen& screen, const std::vector<std::string>& arguments,
-                                 const std::string& home)
+                                 const std::map<std::string, std::string>& set)
     : screen_(screen),
       log_(screen.folder() / "log.jsonl"),
       output_(screen.folder() / "output.txt") {
@@ -19,12 +25,12 @@ ViewerUnderTest::ViewerUnderTest(const Screen& screen, const std::vector<std::st
     std::vector<std::string> command{SUNDER_PROGRAM, "view",  "--log",
                                      log_.string(),  "--out", screen.folder().string()};
     command.insert(command.end(), arguments.begin(), arguments.end());
-    child_ = Child(command,
-                   {{"DISPLAY", screen.display()},
-                    {"WAYLAND_DISPLAY", ""},
-                    {"LIBGL_ALWAYS_SOFTWARE", "1"},
-                    {"XDG_CONFIG_HOME", (screen.folder() / home).string()}},
-                   output_);
+    std::map<std::string, std::string> environment = set;
+    environment.insert({{"DISPLAY", screen.display()},
+                        {"WAYLAND_DISPLAY", ""},
+                        {"LIBGL_ALWAYS_SOFTWARE", "1"},
+                        {"XDG_CONFIG_HOME", (screen.folder() / "home").string()}});
+    child_ = Child(command, environment, output_);
     const bool started = eventually([&] { return eventCount("status") >= 2 || !running(); });
     INFO(output());
     REQUIRE(started);
@@ -32,48 +38,67 @@ ViewerUnderTest::ViewerUnderTest(const Screen& screen, const std::vector<std::st
 }
 
 std::string ViewerUnderTest::output() const {
-    std::ifstream file(output_);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
+    return textOf(output_);
 }
 
-std::vector<ViewerUnderTest::Json> ViewerUnderTest::lines() {
-    std::vector<Json> result;
+const std::vector<ViewerUnderTest::Json>& ViewerUnderTest::lines() {
     std::ifstream file(log_);
-    for (std::string line; std::getline(file, line);)
-        if (Json json = Json::parse(line, nullptr, false); !json.is_discarded())
-            result.push_back(std::move(json));
-    return result;
+    file.seekg(read_);
+    for (std::string line; std::getline(file, line) && !file.eof();) {
+        read_ = file.tellg();
+        lines_.push_back(Json::parse(line));
+    }
+    return lines_;
 }
 
 std::vector<ViewerUnderTest::Json> ViewerUnderTest::events(const std::string& name) {
-    std::vector<Json> result = lines();
-    std::erase_if(result, [&](const Json& line) { return line["event"] != name; });
+    std::vector<Json> result;
+    for (const Json& line : lines())
+        if (line["event"] == name) result.push_back(line);
     return result;
 }
 
+ViewerUnderTest::Json ViewerUnderTest::nextEvent(const std::string& name, std::size_t seen) {
+    INFO("event " << name);
+    REQUIRE(eventually([&] { return eventCount(name) > seen || !running(); }));
+    REQUIRE(running());
+    return events(name).back();
+}
+
 ViewerUnderTest::Json ViewerUnderTest::status() {
-    const std::vector<Json> all = events("status");
-    REQUIRE_FALSE(all.empty());
-    return all.back();
+    const std::vector<Json>& all = lines();
+    const auto newest = std::find_if(all.rbegin(), all.rend(),
+                                     [](const Json& line) { return line["event"] == "status"; });
+    REQUIRE(newest != all.rend());
+    return *newest;
 }
 
 ViewerUnderTest::Json ViewerUnderTest::freshStatus() {
-    // The first one that comes may be of a frame that began before; the second has what happened,
-    // but the window is laid out for it in the third.
-    const std::size_t seen = eventCount("status");
-    REQUIRE(eventually([&] { return eventCount("status") >= seen + 3 || !running(); }));
-    const Json now = status();
+    // The first one that comes may be of a frame that began before; the next frame has what
+    // happened, but the window is laid out for it in the one after. A minimised window has no
+    // frames, but looks at what happened each time.
+    const std::size_t seen = lines().size();
+    Json now;
+    REQUIRE(eventually([&] {
+        const std::vector<Json>& all = lines();
+        int count = 0;
+        std::int64_t first = 0;
+        for (std::size_t i = seen; i < all.size(); ++i) {
+            if (all[i]["event"] != "status") continue;
+            const std::int64_t frame = all[i]["frame"];
+            if (count++ == 0) first = frame;
+            if (frame < first + 2 && count < 3) continue;
+            now = all[i];
+        }
+        return !now.is_null() || !running();
+    }));
     INFO(output());
     REQUIRE(running());
     return now;
 }
 
-void ViewerUnderTest::clickAt(const std::string& widget, double x, double y) {
+std::array<double, 4> ViewerUnderTest::place(const std::string& widget) {
     INFO("widget " << widget);
-    // It may come with a frame that is still being drawn.
-    freshStatus();
     Json place;
     REQUIRE(eventually([&] {
         const Json widgets = status()["widgets"];
@@ -81,32 +106,52 @@ void ViewerUnderTest::clickAt(const std::string& widget, double x, double y) {
         return !place.is_null() || !running();
     }));
     REQUIRE(running());
-    REQUIRE_FALSE(place.is_null());
-    const double left = place[0], top = place[1], right = place[2], bottom = place[3];
-    screen_.act("mousemove " + std::to_string(std::lround(left + x * (right - left))) + " " +
-                std::to_string(std::lround(top + y * (bottom - top))));
+    return {place[0], place[1], place[2], place[3]};
+}
+
+void ViewerUnderTest::clickAt(const std::string& widget, double x, double y, int button,
+                              const std::string& held) {
+    const auto [left, top, right, bottom] = place(widget);
+    clickHere(moveTo(left + x * (right - left), top + y * (bottom - top)), button, held);
+}
+
+void ViewerUnderTest::clickHere(const std::string& move, int button, const std::string& held) {
     // The interface has to see the mouse before the button.
+    screen_.act((held.empty() ? "" : "keydown " + held + " ") + move);
     freshStatus();
-    screen_.act("mousedown 1");
-    freshStatus();
-    screen_.act("mouseup 1");
+    press(button);
+    screen_.act("mouseup " + std::to_string(button) + (held.empty() ? "" : " keyup " + held));
     freshStatus();
 }
 
-void ViewerUnderTest::click(const std::string& widget) {
-    clickAt(widget, 0.5, 0.5);
+void ViewerUnderTest::pointAt(double x, double y) {
+    screen_.act(moveToScene(x, y));
+    freshStatus();
 }
 
-void ViewerUnderTest::clickScene(double x, double y, int button) {
+std::string ViewerUnderTest::moveToScene(double x, double y) {
     const Json view = status()["view"];
     const double left = view[0], top = view[1], width = view[2], height = view[3];
-    screen_.act("mousemove " + std::to_string(std::lround(left + x * width)) + " " +
-                std::to_string(std::lround(top + y * height)));
+    return moveTo(left + x * width, top + y * height);
+}
+
+void ViewerUnderTest::pointAway() {
+    screen_.act("mousemove 4 200");
     freshStatus();
+}
+
+void ViewerUnderTest::press(int button) {
     screen_.act("mousedown " + std::to_string(button));
     freshStatus();
+}
+
+void ViewerUnderTest::release(int button) {
     screen_.act("mouseup " + std::to_string(button));
     freshStatus();
+}
+
+void ViewerUnderTest::clickScene(double x, double y, int button, const std::string& held) {
+    clickHere(moveToScene(x, y), button, held);
 }
 
 void ViewerUnderTest::key(const std::string& name) {
@@ -114,20 +159,37 @@ void ViewerUnderTest::key(const std::string& name) {
     freshStatus();
 }
 
+void ViewerUnderTest::keyDown(const std::string& name) {
+    screen_.act("keydown " + name);
+    freshStatus();
+}
+
+void ViewerUnderTest::keyUp(const std::string& name) {
+    screen_.act("keyup " + name);
+    freshStatus();
+}
+
 void ViewerUnderTest::type(const std::string& widget, const std::string& text) {
     click(widget);
     // Text fields only see keys that are down as a frame begins.
-    const auto hold = [&](const std::string& down, const std::string& up) {
-        screen_.act(down);
-        freshStatus();
-        screen_.act(up);
-        freshStatus();
-    };
-    hold("keydown ctrl keydown a", "keyup a keyup ctrl");
+    screen_.act("keydown ctrl keydown a");
+    freshStatus();
+    screen_.act("keyup a keyup ctrl");
+    freshStatus();
+    enter(text);
+}
+
+void ViewerUnderTest::typeNumber(const std::string& widget, const std::string& text, double x) {
+    // What it held is selected.
+    clickAt(widget, x, 0.5, 1, "ctrl");
+    enter(text);
+}
+
+void ViewerUnderTest::enter(const std::string& text) {
     screen_.act("type --delay 40 '" + text + "'");
     freshStatus();
-    // Out of the field again, or keys would go there.
-    hold("keydown Return", "keyup Return");
+    keyDown("Return");
+    keyUp("Return");
 }
 
 bool ViewerUnderTest::becomes(const std::string& field, const Json& value) {
@@ -144,6 +206,10 @@ sunder::Image ViewerUnderTest::keep(const std::string& name) {
 
 void ViewerUnderTest::quit() {
     screen_.act("key ctrl+q");
+    endsSoundly();
+}
+
+void ViewerUnderTest::endsSoundly() {
     const int code = child_.wait(60);
     INFO(output());
     CHECK(code == 0);
@@ -153,51 +219,10 @@ void ViewerUnderTest::quit() {
     CHECK(closed[0]["gl_bytes_left"] == 0);
 }
 
-namespace {
-
-template <class Visit>
-double shareOf(const sunder::Image& image, int left, int top, int width, int height,
-               Visit&& counts) {
-    REQUIRE(left >= 0);
-    REQUIRE(top >= 0);
-    REQUIRE(left + width <= image.width);
-    REQUIRE(top + height <= image.height);
-    std::int64_t count = 0;
-    for (int y = top; y < top + height; ++y)
-        for (int x = left; x < left + width; ++x)
-            count += counts(3 * (std::size_t(y) * image.width + x));
-    return static_cast<double>(count) / (static_cast<double>(width) * height);
+std::string ViewerUnderTest::written(const std::string& file) const {
+    return textOf(screen_.folder() / file);
 }
 
-}  // namespace
-
-double difference(const sunder::Image& a, const sunder::Image& b, int left, int top, int width,
-                  int height) {
-    REQUIRE(a.width == b.width);
-    REQUIRE(a.height == b.height);
-    return shareOf(a, left, top, width, height, [&](std::size_t at) {
-        int most = 0;
-        for (std::size_t i = at; i < at + 3; ++i)
-            most = std::max(most, std::abs(a.pixels[i] - b.pixels[i]));
-        return most > 12;
-    });
-}
-
-double share(const sunder::Image& image, int left, int top, int width, int height, int red,
-             int green, int blue) {
-    return shareOf(image, left, top, width, height, [&](std::size_t at) {
-        return std::abs(image.pixels[at] - red) < 12 &&
-               std::abs(image.pixels[at + 1] - green) < 12 &&
-               std::abs(image.pixels[at + 2] - blue) < 12;
-    });
-}
-
-int colours(const sunder::Image& image, int left, int top, int width, int height) {
-    std::set<int> found;
-    shareOf(image, left, top, width, height, [&](std::size_t at) {
-        found.insert((image.pixels[at] >> 4) << 8 | (image.pixels[at + 1] >> 4) << 4 |
-                     image.pixels[at + 2] >> 4);
-        return true;
-    });
-    return static_cast<int>(found.size());
+fs::path ViewerUnderTest::settings() const {
+    return screen_.folder() / "home" / "sunder" / "viewer.toml";
 }
