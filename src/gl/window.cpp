@@ -156,6 +156,8 @@ class GlfwWindow final : public Window {
             of(w).cursorX_ = x;
             of(w).cursorY_ = y;
         });
+        glfwSetCursorEnterCallback(
+            handle(), [](GLFWwindow* w, int entered) { of(w).input_.inside = entered != 0; });
         glfwSetScrollCallback(handle(), [](GLFWwindow* w, double x, double y) {
             of(w).input_.wheel += y != 0 ? y : x;  // macOS turns it with Shift held
             of(w).input_.wheelWith = of(w).modifiers();

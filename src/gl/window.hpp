@@ -67,6 +67,7 @@ struct Input {
     std::set<Key> held;
     bool buttonHeld[kMouseButtons] = {};
     bool anyButton() const { return buttonHeld[0] || buttonHeld[1] || buttonHeld[2]; }
+    bool inside = true;           ///< the window, the pointer
     double x = 0, y = 0;          ///< the pointer
     double moveX = 0, moveY = 0;  ///< how far it went
     double wheel = 0;             ///< notches, away from the hand is positive

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sunder::view {
 namespace {
@@ -155,10 +156,12 @@ bool Controls::handleKeys(Session& session, const Interface& ui, double elapsed)
 
 void Controls::handleMouse(Session& session, const Interface& ui) {
     const Input& input = session.window.input();
-    const bool over = session.area.contains(input.x, input.y) && !ui.wantsMouse();
+    // While a button is held, the pointer may go anywhere.
+    const bool over = (input.inside || input.anyButton()) &&
+                      session.area.contains(input.x, input.y) && !ui.wantsMouse();
 
-    // A press and its release may come in one frame: what it started is done below all the same.
-    if (!input.anyButton()) drag_ = Drag::None;
+    // A press, its way and its release may come in one frame: what it started is done all the same.
+    if (std::exchange(released_, !input.anyButton())) drag_ = Drag::None;
     for (const Input::Click& click : input.clicks)
         if (session.area.contains(click.x, click.y) && !ui.wantsMouse()) press(session, click);
 

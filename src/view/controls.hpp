@@ -23,8 +23,9 @@ class Controls {
     void hit(Session&, double x, double y);
 
     Drag drag_ = Drag::None;
-    double sinceShot_ = 0;  ///< s
-    int sinceLook_ = 0;     ///< frames since the spot under a resting mouse was sought
+    bool released_ = false;  ///< no button is held any more, since the last frame
+    double sinceShot_ = 0;   ///< s
+    int sinceLook_ = 0;      ///< frames since the spot under a resting mouse was sought
     Every hovering_{0, 0.05};
 };
 

@@ -21,7 +21,7 @@ struct Settings {
     bool vsync = true, fullScreen = false;
     Tool tool = Tool::Shoot;
     double shot = 40;                ///< m/s that a shot gives, 1 to 150
-    double push = 150;               ///< m/s² of push and pull while the button is held, 1 to 2000
+    double push = 300;               ///< m/s² of push and pull while the button is held, 1 to 2000
     double radius = 0.3;             ///< m, of the spot, 0.02 to 2
     bool sceneHits = false;          ///< whether a scene's own events push its bodies
     double interfaceScale = 1;       ///< on top of the screen's own, 0.5 to 4

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "catch.hpp"
+#include "gpu/test_context.hpp"
 
 namespace {
 
@@ -26,6 +27,7 @@ PhysicsReport::PhysicsReport(const std::string& name, const std::string& title,
       json_{{"name", name},
             {"title", title},
             {"claim", claim},
+            {"driver", testContext().info().renderer + ", OpenGL " + testContext().info().version},
             {"plots", nlohmann::json::array()},
             {"figures", nlohmann::json::array()}} {}
 

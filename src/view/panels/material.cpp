@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/elasticity.hpp"
 #include "view/panels/panels.hpp"
 
 namespace sunder::view {
@@ -25,6 +26,8 @@ constexpr std::pair<std::string_view, const char*> kGroups[] = {
 /// While one drags, a change is simulated if that takes no longer than this, s; else when the mouse
 /// lets go.
 constexpr double kLive = 0.1;
+
+constexpr double kUnbounded = std::numeric_limits<double>::max();
 
 /// "young_modulus" becomes "Young modulus".
 std::string label(std::string_view key) {
@@ -46,7 +49,8 @@ double mostOf(const MaterialField& field) {
 /// A strength may be anything from next to nothing to 1e15 Pa: eighteen decades on a slider, where
 /// a pixel is half as much again. So a slider reaches some way around where it was, `home`, and as
 /// far as `value` has been typed.
-Interface::Scale scaleOf(const MaterialField& field, double value, double home) {
+/// More than `carried` has no effect, so it reaches below that, too.
+Interface::Scale scaleOf(const MaterialField& field, double value, double home, double carried) {
     const double least = leastOf(field), most = mostOf(field);
     Interface::Scale scale{least, most, false, least, most, home};
     if (most - least <= 5) return scale;
@@ -60,6 +64,7 @@ Interface::Scale scaleOf(const MaterialField& field, double value, double home) 
         scale.min = least == 0 ? 0 : std::max(least, home / kReach);
         scale.max = std::min(most, home > 0 ? home * kReach : 1);
     }
+    scale.min = std::max(least, std::min(scale.min, carried / kReach));
     scale.min = std::min(scale.min, value);
     scale.max = std::max(scale.max, value);
     return scale;
@@ -81,8 +86,8 @@ Unit unitOf(const MaterialField& field, double home) {
 
 /// One number of a field. True while it is being changed.
 bool drawNumber(const MaterialField& field, Interface& ui, const std::string& name, double& value,
-                double home, const std::string& help) {
-    Interface::Scale scale = scaleOf(field, value, home);
+                double home, double carried, const std::string& help) {
+    Interface::Scale scale = scaleOf(field, value, home, carried);
     const Unit unit = unitOf(field, home);
     scale.unit = unit.size;
     return ui.slider(name, value, scale, unit.name, help);
@@ -140,14 +145,15 @@ bool vectorSliders(const MaterialField& field, Interface& ui, Vec3& value, const
         ImGui::TextDisabled("%s", kAxes[axis]);
         ImGui::SameLine(ui.length(18));
         changed |= drawNumber(field, ui, std::string(field.key) + "." + kAxes[axis], value[axis],
-                              home[axis], help);
+                              home[axis], kUnbounded, help);
         letGo |= ui.letGo();
     }
     return changed;
 }
 
 /// True while a field is being changed.
-bool drawField(const MaterialField& field, Interface& ui, MaterialDraft& draft, bool& letGo) {
+bool drawField(const MaterialField& field, Interface& ui, MaterialDraft& draft, double carried,
+               bool& letGo) {
     Material& material = draft.material;
     const std::string_view idle = idleBecause(material, field.key);
     std::string help(field.help);
@@ -164,7 +170,7 @@ bool drawField(const MaterialField& field, Interface& ui, MaterialDraft& draft, 
         ImGui::TextUnformatted(label(field.key).c_str());
         ui.tooltip(help);
         changed = drawNumber(field, ui, std::string(field.key), material.*field.scalar,
-                             draft.home.*field.scalar, help);
+                             draft.home.*field.scalar, carried, help);
         letGo |= ui.letGo();
     }
     ImGui::EndDisabled();
@@ -207,10 +213,21 @@ bool drawChoices(std::string_view group, Interface& ui, Material& material) {
     return false;
 }
 
+/// Pa, the most that the step carries on the cells of this material.
+double carriedStiffness(const Session& session, int index) {
+    const World& world = session.stage->simulation.world();
+    const Material& material = world.description().materials[index];
+    double least = kUnbounded;
+    for (const ElementLaw& law : world.laws())
+        if (law.material == index)
+            least = std::min(least, stableYoungModulus(material.density, law.cellSize.minCoeff(),
+                                                       material.poissonRatio, world.step()));
+    return least;
+}
+
 /// Says where the step limits the stiffness of this material.
 void drawLimit(const Session& session, int index) {
-    const World& world = session.stage->simulation.world();
-    for (const ElementLaw& law : world.laws()) {
+    for (const ElementLaw& law : session.stage->simulation.world().laws()) {
         if (law.material != index || !law.limited) continue;
         ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
         ImGui::TextWrapped(
@@ -273,7 +290,9 @@ bool drawFields(Session& session, Interface& ui, MaterialDraft& draft) {
             if (open) done |= drawChoices(first, ui, draft.material);
         }
         if (!open) continue;
-        changed |= drawField(field, ui, draft, done);
+        const double carried =
+            field.key == "young_modulus" ? carriedStiffness(session, draft.index) : kUnbounded;
+        changed |= drawField(field, ui, draft, carried, done);
         if (field.key == "young_modulus") drawLimit(session, draft.index);
     }
     draft.age += ImGui::GetIO().DeltaTime;

@@ -105,7 +105,7 @@ void drawMeasurements(Session& session, Interface& ui) {
         drawCell(session, *session.lookedAt);
     else
         ImGui::TextWrapped(
-            "Click a cell with the tool Look, or with Alt held, to read its stress.");
+            "Click a cell with the tool Look, or with Ctrl held, to read its stress.");
 
     ui.heading("Time per frame");
     ImGui::TextDisabled("%.0f frames/s; the last %d frames", m.framesPerSecond(), History::kLength);

@@ -88,8 +88,10 @@ void drawLegend(Session& session, Interface& ui, ImDrawList& list) {
         drawText(ui, list, {right - width, bottom - line}, text.c_str());
         return;
     }
-    if (!hasScale(key)) return;
-    const float width = ui.length(230), bar = ui.length(14), gap = ui.length(4);
+    const float width = ui.length(230);
+    const bool fits = static_cast<float>(session.area.width) / d > width + 2 * margin;
+    if (!hasScale(key) || !fits) return;
+    const float bar = ui.length(14), gap = ui.length(4);
     const float left = right - width, top = bottom - 2 * line - bar - 2 * gap;
     list.AddRectFilled({left - gap * 2, top - gap}, {right + gap * 2, bottom + gap},
                        IM_COL32(20, 21, 25, 190), ui.length(4));

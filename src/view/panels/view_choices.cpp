@@ -46,12 +46,13 @@ void drawViewChoices(Session& session, Interface& ui, double& letters) {
     drawChoice(session, ui, "style", "Style", settings.style, kDrawStyles,
                {"Solid", "Wireframe", "Both"},
                {"Surfaces. L", "Edges of all triangles. L", "Surfaces with their edges. L"});
-    drawChoice(session, ui, "colour", "Colours", settings.colour, kWallColours,
-               {"Material", "Stress", "Speed", "Pieces"},
-               {"As the material looks. C",
-                "The largest tension in each cell; bright is about to break. C",
-                "How fast each cell moves. C",
-                "What hangs together, each piece in a colour of its own. C"});
+    drawChoice(
+        session, ui, "colour", "Colours", settings.colour, kWallColours,
+        {"Material", "Stress", "Speed", "Pieces"},
+        {"As the material looks. C",
+         "The largest tension in each cell; bright is the most that a material here bears. C",
+         "How fast each cell moves. C",
+         "What hangs together, each piece in a colour of its own. C"});
     ui.label("Samples", "Antialiasing: samples in each pixel. More: smoother edges, slower.");
     constexpr int kSamples[] = {1, 2, 4, 8};
     const int most = std::max(1, session.window.info().maxSamples);
