@@ -61,8 +61,7 @@ class GlfwWindow final : public Window {
         listen();
         setVsync(options.vsync);
         glfwShowWindow(handle());
-        // On a screen of small pixels it is larger than what was asked for.
-        glfwGetWindowSize(handle(), &width_, &height_);
+        look();
         if (options.fullScreen) setFullScreen(true);
         glfwGetCursorPos(handle(), &cursorX_, &cursorY_);
     }
@@ -77,31 +76,27 @@ class GlfwWindow final : public Window {
             glfwWaitEventsTimeout(patience);
         else
             glfwPollEvents();
+        look();
         // The desktop's coordinates are larger than pixels on some high-density screens.
-        const double density = pixelsPerCoordinate();
+        const double density = now_.density;
         input_.moveX = cursorX_ * density - input_.x;
         input_.moveY = cursorY_ * density - input_.y;
         input_.x = cursorX_ * density;
         input_.y = cursorY_ * density;
-        if (!fullScreen() && !minimised()) glfwGetWindowSize(handle(), &width_, &height_);
     }
     const Input& input() const override { return input_; }
     void swap() override { glfwSwapBuffers(handle()); }
 
     bool closing() const override { return glfwWindowShouldClose(handle()); }
     bool minimised() const override {
-        return glfwGetWindowAttrib(handle(), GLFW_ICONIFIED) || width() == 0 || height() == 0;
+        return now_.iconified || now_.width == 0 || now_.height == 0;
     }
-    bool focused() const override { return glfwGetWindowAttrib(handle(), GLFW_FOCUSED); }
-    int width() const override { return framebufferSize().first; }
-    int height() const override { return framebufferSize().second; }
+    bool focused() const override { return now_.focused; }
+    int width() const override { return now_.width; }
+    int height() const override { return now_.height; }
     int plainWidth() const override { return plain(width_); }
     int plainHeight() const override { return plain(height_); }
-    float contentScale() const override {
-        float x = 1, y = 1;
-        glfwGetWindowContentScale(handle(), &x, &y);
-        return std::clamp(std::max(x, y), 0.5f, 8.f);
-    }
+    float contentScale() const override { return now_.scale; }
 
     bool fullScreen() const override { return glfwGetWindowMonitor(handle()) != nullptr; }
     void setFullScreen(bool wanted) override {
@@ -116,6 +111,7 @@ class GlfwWindow final : public Window {
                                  mode->refreshRate);
         }
         setVsync(vsync_);  // some drivers forget it
+        look();
     }
     void setVsync(bool wanted) override {
         vsync_ = wanted;
@@ -184,7 +180,7 @@ class GlfwWindow final : public Window {
         if (button < 0 || button >= kMouseButtons) return;
         input_.buttonHeld[button] = action == GLFW_PRESS;
         if (action != GLFW_PRESS) return;
-        const double density = pixelsPerCoordinate();
+        const double density = now_.density;
         input_.clicks.push_back({static_cast<MouseButton>(button), cursorX_ * density,
                                  cursorY_ * density, modifiers()});
     }
@@ -204,27 +200,39 @@ class GlfwWindow final : public Window {
                     down(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER),
                 glfwGetKey(handle(), GLFW_KEY_LEFT_ALT) == GLFW_PRESS};  // the right one is AltGr
     }
-    std::pair<int, int> framebufferSize() const {
-        int w = 0, h = 0;
-        glfwGetFramebufferSize(handle(), &w, &h);
-        return {w, h};
+    /// Asks once a frame: on X11 each question is a way to the server and back.
+    void look() {
+        glfwGetFramebufferSize(handle(), &now_.width, &now_.height);
+        int width = 0, height = 0;
+        glfwGetWindowSize(handle(), &width, &height);
+        now_.density = width > 0 ? static_cast<double>(now_.width) / width : 1;
+        float x = 1, y = 1;
+        glfwGetWindowContentScale(handle(), &x, &y);
+        now_.scale = std::clamp(std::max(x, y), 0.5f, 8.f);
+        now_.iconified = glfwGetWindowAttrib(handle(), GLFW_ICONIFIED);
+        now_.focused = glfwGetWindowAttrib(handle(), GLFW_FOCUSED);
+        if (fullScreen() || minimised()) return;
+        width_ = width;
+        height_ = height;
     }
     /// As Options have it: GLFW makes a window as much larger as letters have to be, except where
     /// the desktop's coordinates are larger than pixels.
     int plain(int length) const {
-        return static_cast<int>(std::lround(length * pixelsPerCoordinate() / contentScale()));
-    }
-    double pixelsPerCoordinate() const {
-        int w = 0, h = 0;
-        glfwGetWindowSize(handle(), &w, &h);
-        return w > 0 ? static_cast<double>(width()) / w : 1;
+        return static_cast<int>(std::lround(length * now_.density / now_.scale));
     }
 
     GlfwLibrary library_;
     Handle window_;
     Input input_;
     double cursorX_ = 0, cursorY_ = 0;  // as the desktop measures
-    int left_ = 0, top_ = 0, width_, height_;
+    int left_ = 0, top_ = 0;
+    int width_, height_;  ///< as the desktop measures, when not full screen
+    struct {
+        int width = 0, height = 0;  ///< of the framebuffer
+        double density = 1;         ///< its pixels in what the desktop measures by
+        float scale = 1;
+        bool iconified = false, focused = false;
+    } now_;
     bool vsync_ = true;
 };
 
