@@ -130,10 +130,8 @@ Record parseRecord(std::istream& text, const std::string& file) {
         }
         RecordEntry entry{std::strtoll(words[0].c_str(), nullptr, 10), {}};
         bool understood = words[0].find_first_not_of("0123456789") == std::string::npos;
-        if (columns.empty() || (words.size() > 1 && words[1] == "state")) {
-            for (std::size_t i = 1; i + 1 < words.size(); i += 2)
-                entry.hashes.push_back({words[i], words[i + 1]});
-            understood &= words.size() > 1 && words.size() % 2 == 1;
+        if (words.size() == 3 && words[1] == "state") {
+            entry.hashes.push_back({words[1], words[2]});
         } else {
             understood &= words.size() == columns.size() + 1;
             for (std::size_t i = 0; understood && i < columns.size(); ++i) {

@@ -26,8 +26,7 @@ using Record = std::vector<RecordEntry>;
 ///     passes elements nodes bonds
 ///     1 0a6e b279 783c
 ///     2 1bb4 05ed .
-/// The older "301 elements 1a2b3c4d nodes 5e6f7a8b", of some steps alone, is read as well. Lines
-/// that begin with # are left out. Throws InputError naming file and line.
+/// Lines that begin with # are left out. Throws InputError naming file and line.
 Record parseRecord(std::istream&, const std::string& file);
 Record readRecord(const std::filesystem::path&);
 std::string toText(const Record&);

@@ -64,8 +64,6 @@ TEST_CASE("Record: what was written to a file is read back, as far as it is kept
     changed[3].hashes[1].value = "b3b2b2b2";
     CHECK(firstDifference(read, changed, 50) ==
           "step 3 (of frame 1) is the first that differs, in the pass `nodes`");
-    CHECK(toText(readText("7 elements a1a1a1a1 nodes b1b1b1b1\n")) ==
-          "passes elements nodes\n7 a1a1 b1b1\n");
 }
 
 TEST_CASE("Record: a line that is no entry is refused with its number") {
@@ -75,7 +73,7 @@ TEST_CASE("Record: a line that is no entry is refused with its number") {
         CHECK_THROWS_WITH(readText(columns + line + "\n"),
                           Catch::Contains("record.txt:3: must be"));
     }
-    for (const char* line : {"1", "1 elements", "state 0123"}) {
+    for (const char* line : {"1", "1 elements", "1 elements a1a1", "state 0123"}) {
         INFO(line);
         CHECK_THROWS_WITH(readText(std::string(line) + "\n"),
                           Catch::Contains("record.txt:1: must be"));
