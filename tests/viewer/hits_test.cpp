@@ -181,12 +181,12 @@ TEST_CASE("Strength and radius of hits are set by slider and wheel", "[viewer]")
     // Push and pull have a strength of their own.
     viewer.key("t");
     CHECK(viewer.becomes("tool", "push"));
-    CHECK(turn("shift", kUp, "strength") == Approx(150 * notch));
+    CHECK(turn("shift", kUp, "strength") == Approx(300 * notch));
     viewer.quit();
     const std::string remembered = textOf(viewer.settings());
     CHECK_THAT(remembered, Catch::Contains("\nshot = 90\n"));
     CHECK_THAT(remembered, Catch::Contains("\nradius = 0.3\n"));
-    CHECK_THAT(remembered, Catch::Contains("\npush = 165"));
+    CHECK_THAT(remembered, Catch::Contains("\npush = 330"));
 }
 
 TEST_CASE("A cell that is clicked to look at it has its stress beside it", "[viewer]") {
