@@ -13,9 +13,8 @@ void tellForces(PassObserver& observer, const char* pass, const cpu::BodyArrays&
 
 /// What links decide: the masses of the joined groups.
 void tellLinks(PassObserver& observer, const cpu::BodyArrays& body) {
-    for (int corner = 0; corner < kCorners; ++corner)
-        observer.wrote("links", {body.inverseMass + corner * body.stride,
-                                 static_cast<std::size_t>(body.cells)});
+    observer.wrote("links", {body.inverseMass,
+                             static_cast<std::size_t>(body.vectors * kCorners * cpu::kLanes)});
 }
 
 }  // namespace
