@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "gpu/pass_timer.hpp"
@@ -162,15 +163,25 @@ class Viewer {
     }
 
     void logStatus() {
-        if (session_.log.enabled()) status_.now([&] { writeStatus(); });
+        if (!session_.log.enabled()) return;
+        status_.now([&] {
+            if (interface_.widgets() != loggedWidgets_) writeWidgets();
+            writeStatus();
+        });
+    }
+
+    /// Where they are now, pixels: left, top, right, bottom.
+    void writeWidgets() {
+        loggedWidgets_ = interface_.widgets();
+        nlohmann::ordered_json places = nlohmann::ordered_json::object();
+        for (const auto& [name, place] : loggedWidgets_) places[name] = place;
+        session_.log.add("widgets", {{"places", places}});
     }
 
     void writeStatus() {
         const Settings& settings = session_.settings;
         const Measurements& m = session_.measurements;
         const Scene& scene = session_.scene();
-        nlohmann::ordered_json widgets = nlohmann::ordered_json::object();
-        for (const auto& [name, place] : interface_.widgets()) widgets[name] = place;
         nlohmann::ordered_json materials = nlohmann::ordered_json::array();
         for (const Material& material : scene.world.materials) materials.push_back(material.name);
         const ViewArea& area = session_.area;
@@ -205,8 +216,7 @@ class Viewer {
               {{"simulation", m.simulation.mean(30)},
                {"drawing", m.drawing.mean(30)},
                {"interface", m.interface.mean(30)}}},
-             {"gl_bytes", gl::allocatedBytes()},
-             {"widgets", widgets}});
+             {"gl_bytes", gl::allocatedBytes()}});
     }
 
     void remember() {
@@ -229,7 +239,8 @@ class Viewer {
     Drafts drafts_;
     gpu::PassTimer simulationTimer_{window_.info().software};
     gpu::PassTimer drawingTimer_{window_.info().software};
-    Every diagnosis_{0.25, 0.05}, shaderLook_{0.5}, status_{0.1};
+    Every diagnosis_{0.25, 0.05}, shaderLook_{0.5}, status_{0.02};
+    std::map<std::string, Interface::Rectangle> loggedWidgets_;
     std::set<std::string> saidErrors_;
     std::int64_t frames_ = 0;
 };

@@ -67,7 +67,7 @@ template <class Condition>
 bool eventually(Condition&& condition) {
     for (int i = 0; i < 2400; ++i) {
         if (condition()) return true;
-        sleepFor(0.025);
+        sleepFor(0.005);
     }
     return false;
 }

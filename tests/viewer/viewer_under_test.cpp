@@ -65,12 +65,21 @@ ViewerUnderTest::Json ViewerUnderTest::nextEvent(const std::string& name, std::s
     return events(name).back();
 }
 
-ViewerUnderTest::Json ViewerUnderTest::status() {
+ViewerUnderTest::Json ViewerUnderTest::newest(const std::string& event) {
     const std::vector<Json>& all = lines();
-    const auto newest = std::find_if(all.rbegin(), all.rend(),
-                                     [](const Json& line) { return line["event"] == "status"; });
-    REQUIRE(newest != all.rend());
-    return *newest;
+    const auto found = std::find_if(all.rbegin(), all.rend(),
+                                    [&](const Json& line) { return line["event"] == event; });
+    INFO("event " << event);
+    REQUIRE(found != all.rend());
+    return *found;
+}
+
+ViewerUnderTest::Json ViewerUnderTest::status() {
+    return newest("status");
+}
+
+ViewerUnderTest::Json ViewerUnderTest::widgets() {
+    return newest("widgets")["places"];
 }
 
 ViewerUnderTest::Json ViewerUnderTest::freshStatus() {
@@ -101,8 +110,8 @@ std::array<double, 4> ViewerUnderTest::place(const std::string& widget) {
     INFO("widget " << widget);
     Json place;
     REQUIRE(eventually([&] {
-        const Json widgets = status()["widgets"];
-        if (widgets.contains(widget)) place = widgets[widget];
+        const Json places = widgets();
+        if (places.contains(widget)) place = places[widget];
         return !place.is_null() || !running();
     }));
     REQUIRE(running());

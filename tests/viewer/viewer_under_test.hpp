@@ -15,6 +15,8 @@ class ViewerUnderTest {
 
     /// The newest line about how things are.
     Json status();
+    /// Where each widget is: name to left, top, right, bottom, in pixels of the window.
+    Json widgets();
     /// A new one, of a frame after one that began when this was called or later.
     Json freshStatus();
     /// Lines of this name so far.
@@ -69,6 +71,7 @@ class ViewerUnderTest {
   private:
     /// All so far.
     const std::vector<Json>& lines();
+    Json newest(const std::string& event);
     void clickHere(const std::string& move, int button, const std::string& held);
     std::string moveToScene(double x, double y);
     void enter(const std::string& text);

@@ -122,22 +122,22 @@ TEST_CASE("On a screen of small pixels everything is as much larger", "[viewer]"
         ViewerUnderTest viewer(screen, {"brick", "--size", "1280x720", "--solver", "cpu"});
         viewer.click("tab.material");
         viewer.clickScene(0.5, 0.5);
-        const Json now = viewer.freshStatus();
+        const Json now = viewer.freshStatus(), widgets = viewer.widgets();
         checkLooksRight(viewer.keep(name), now["view"][0]);
         viewer.quit();
-        return now;
+        return std::pair(now, widgets);
     };
-    const Json small = look(plain, "57-plain-screen");
-    const Json large = look(fine, "58-fine-screen");
+    const auto [small, smallWidgets] = look(plain, "57-plain-screen");
+    const auto [large, largeWidgets] = look(fine, "58-fine-screen");
     CHECK(small["view"][0] == kPanel);
     CHECK(large["view"][0] == 2 * kPanel);
     CHECK(large["window"] == Json::array({2560, 1440}));
     // The same widgets have room, each about twice as large; letters come in whole pixels.
-    REQUIRE(small["widgets"].size() == large["widgets"].size());
-    for (const auto& [name, place] : small["widgets"].items()) {
+    REQUIRE(smallWidgets.size() == largeWidgets.size());
+    for (const auto& [name, place] : smallWidgets.items()) {
         INFO(name);
         for (int side = 0; side < 4; ++side)
-            CHECK(std::abs(large["widgets"][name][side].get<double>() -
+            CHECK(std::abs(largeWidgets[name][side].get<double>() -
                            2 * place[side].get<double>()) < 40);
     }
     // Windows have the size that they had the last time, not twice that each time.
