@@ -28,7 +28,7 @@ struct GlfwLibrary {
 
 /// Hints for a window with an OpenGL core context of this version; the window is not shown. `told`:
 /// of a reset of the device, as egl_context.cpp has it.
-inline void hintCoreContext(int major, int minor, bool debug, bool told = true) {
+inline void hintCoreContext(int major, int minor, bool debug, bool told) {
     glfwDefaultWindowHints();
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);

@@ -54,8 +54,8 @@ void allocate(const char* what, double bytes, Call call) {
     }
     // Mesa's software driver has what this machine has, but takes any promise of the system's for
     // it. The other half is for the world and for states that come back from the device.
-    if (isSoftware(renderer()) &&
-        static_cast<double>(allocatedBytes()) + bytes > static_cast<double>(usableMemory() / 2))
+    static const double half = static_cast<double>(usableMemory()) / 2;
+    if (isSoftware(renderer()) && static_cast<double>(allocatedBytes()) + bytes > half)
         failMemory(withSize(what, bytes));
     const QuietDebug quiet;
     call();

@@ -303,10 +303,14 @@ void Session::toggleRecording() {
         clock.setFixed(true);
         log.add("recording", {{"path", recorder_->path().string()}});
     } catch (const InputError& error) {
-        clock.setFixed(false);
-        recorder_.reset();
-        say(error.what(), true);
+        abandonRecording(error);
     }
+}
+
+void Session::abandonRecording(const InputError& error) {
+    clock.setFixed(false);
+    recorder_.reset();
+    say(error.what(), true);
 }
 
 void Session::record(Image picture) {
@@ -316,9 +320,7 @@ void Session::record(Image picture) {
         say("The window has another size now; the video ends before");
         toggleRecording();
     } catch (const InputError& error) {
-        clock.setFixed(false);
-        recorder_.reset();
-        say(error.what(), true);
+        abandonRecording(error);
     }
 }
 

@@ -140,6 +140,8 @@ class Session {
     /// Whether a file may be written: it is new, or was written before, or is asked for again.
     bool mayWrite(const std::filesystem::path&);
     void addLegend(Image&) const;
+    /// Says why, and has the clock run as before.
+    void abandonRecording(const InputError&);
     /// Builds everything with the folder's shaders, or says why not.
     void tryShaders();
 
