@@ -137,8 +137,8 @@ TEST_CASE("On a screen of small pixels everything is as much larger", "[viewer]"
     for (const auto& [name, place] : smallWidgets.items()) {
         INFO(name);
         for (int side = 0; side < 4; ++side)
-            CHECK(std::abs(largeWidgets[name][side].get<double>() -
-                           2 * place[side].get<double>()) < 40);
+            CHECK(std::abs(largeWidgets[name][side].get<double>() - 2 * place[side].get<double>()) <
+                  40);
     }
     // Windows have the size that they had the last time, not twice that each time.
     for (int time = 0; time < 2; ++time) {
