@@ -57,12 +57,11 @@ struct BodyArrays {
     float* over = nullptr;    ///< [cell] 1 where the cell's stress exceeds maxStress; else 0
 
     // --- constant, or constant until a bond breaks ---
-    float* strength = nullptr;  ///< Pa, [axis][cell]
-    float* side = nullptr;      ///< [cell] +1 or −1 by parity: which way the cell is mirrored
-    float* inverseMass =
-        nullptr;          ///< 1/kg, tiles of corners, of the joined group; 0: does not move
-    float* rest[3] = {};  ///< m, per axis, [0 lower, 1 upper corners][cell]; y only with a
-                          ///< ground or room, x and z only with a room
+    float* strength = nullptr;     ///< Pa, [axis][cell]
+    float* side = nullptr;         ///< [cell] +1 or −1 by parity: which way the cell is mirrored
+    float* inverseMass = nullptr;  ///< 1/kg, of joined groups, tiles of corners; 0: held
+    float* rest[3] = {};           ///< m, per axis, [0 lower, 1 upper corners][cell]; y only with a
+                                   ///< ground or room, x and z only with a room
     std::uint8_t* links = nullptr;     ///< tiles of corners, core/links.hpp
     std::uint8_t* broke = nullptr;     ///< [cell] bits 0–2: bonds broken and not yet in `links`
     std::int32_t* lawIndex = nullptr;  ///< [cell], only of LawKind::Mixed

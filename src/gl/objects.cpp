@@ -43,6 +43,13 @@ std::string withSize(const char* what, double bytes) {
     return std::string(what) + " (" + std::to_string(megabytes) + " MB)";
 }
 
+/// Bytes. Mesa's software driver has what this machine has, but takes any promise of the system's
+/// for it. The other half is for the world and for states that come back from the device.
+double softwareMemory() {
+    static const double half = static_cast<double>(usableMemory()) / 2;
+    return half;
+}
+
 /// Runs an allocation. Throws InputError when the device has no memory for it, ContextError when it
 /// is lost.
 template <class Call>
@@ -52,10 +59,7 @@ void allocate(const char* what, double bytes, Call call) {
         throw std::runtime_error("OpenGL: " + errorName(error) + " before the " + what +
                                  " was created");
     }
-    // Mesa's software driver has what this machine has, but takes any promise of the system's for
-    // it. The other half is for the world and for states that come back from the device.
-    static const double half = static_cast<double>(usableMemory()) / 2;
-    if (isSoftware(renderer()) && static_cast<double>(allocatedBytes()) + bytes > half)
+    if (isSoftware(renderer()) && static_cast<double>(allocatedBytes()) + bytes > softwareMemory())
         failMemory(withSize(what, bytes));
     const QuietDebug quiet;
     call();
