@@ -10,22 +10,14 @@
 #include "catch.hpp"
 #include "core/links.hpp"
 #include "core/strength_map.hpp"
+#include "support/display_sections.hpp"
 #include "support/worlds.hpp"
 
 using namespace sunder;
 
 namespace {
 
-using Point = std::array<float, 3>;
 using Corners = std::array<Vec3, 3>;
-
-Point point(const DisplayVertex& v) {
-    return {v.rest[0], v.rest[1], v.rest[2]};
-}
-
-std::vector<DisplayVertex> verticesOf(const World& world) {
-    return DisplayMesh(world).vertices();
-}
 
 /// Triangles by the cell whose section they belong to, and by its face.
 struct Sections {
@@ -104,49 +96,6 @@ std::multiset<std::array<Point, 3>> turned(const std::vector<std::array<Point, 3
         result.insert(triangle);
     }
     return result;
-}
-
-/// From 0 to 1, and often one of the ends.
-double extreme(Random& random) {
-    const double x = random();
-    return x < -0.6 ? 0 : x > 0.6 ? 1 : 0.5 + x / 1.2;
-}
-
-/// A small wall whose material has the wildest numbers that a file may hold, of every kind of
-/// cluster, with or without a hole.
-WorldDescription wildWall(int seed) {
-    Random random(static_cast<std::uint64_t>(seed));
-    Material m;
-    const Vec3 cell(0.1 + 0.2 * extreme(random), 0.1 + 0.7 * extreme(random),
-                    0.03 + 0.27 * extreme(random));
-    m.avgDisplaySectionWidth = cell[0] * (0.5 + extreme(random));
-    m.avgDisplaySectionHeight = cell[1] * (0.5 + extreme(random));
-    m.randDisplaySectionWidth = m.avgDisplaySectionWidth * extreme(random);
-    m.randDisplaySectionHeight = m.avgDisplaySectionHeight * extreme(random);
-    // Mostly small ones: twenty points on every edge of every cell take their time.
-    const auto frequency = [&] {
-        const double x = extreme(random);
-        return seed % 20 == 0 ? 20.0 : std::floor(4 * x);
-    };
-    m.horizEdgeFrequency = frequency();
-    m.vertEdgeFrequency = frequency();
-    m.horizEdgeAmplitude = 0.5 * m.avgDisplaySectionHeight * extreme(random);
-    m.vertEdgeAmplitude = 0.5 * m.avgDisplaySectionWidth * extreme(random);
-    m.clusters = static_cast<ClusterKind>(seed % 4);
-    m.clusterSize = {2.3 * cell[0], 1.7 * cell[1], seed % 3 == 0 ? 0 : cell[2]};
-    m.jointWidth = 0.02 * extreme(random);
-
-    WorldDescription description;
-    description.materials = {m};
-    BodyDescription body;
-    body.name = "wall";
-    body.cells = {4, 3, 1 + seed % 2};
-    body.size = cell.cwiseProduct(body.cells.cast<double>());
-    body.position = {3 * random(), 0.5 + 0.5 * random(), 3 * random()};
-    if (seed % 5 == 0) body.regions = {{{1, 1, 0}, {2, 1, 0}, -1}};
-    description.bodies = {body};
-    description.seed = static_cast<std::uint64_t>(seed);
-    return description;
 }
 
 }  // namespace
@@ -376,94 +325,4 @@ TEST_CASE("chunks have the outline of their Voronoi cells, not the stairs of the
     REQUIRE(all > 1000);
     // Those whose boundary is further off than a corner may move are left out.
     CHECK(on > 0.9 * all);
-}
-
-namespace {
-
-/// A wall with wild sections, bent and stretched; and some of its bonds broken.
-struct BentWall {
-    World world;
-    State state;
-    explicit BentWall(int seed) : world(wildWall(seed)), state(world.initialState()) {
-        for (int node = 0; node < world.nodeCount(); ++node) {
-            const Vec3 x = world.restPosition(node);
-            state.displacement[node] = {0.05 * std::sin(3 * x[1]), 0.1 * x[0] * x[1],
-                                        0.2 * std::sin(2 * x[0])};
-        }
-    }
-};
-
-}  // namespace
-
-TEST_CASE("an intact wall has no seams when it bends", "[display]") {
-    for (const int seed : {1, 2, 3, 5, 6, 7}) {
-        CAPTURE(seed);
-        const BentWall wall(seed);
-        std::map<Point, Vec3> places;
-        for (const DisplayVertex& v : verticesOf(wall.world)) {
-            const Vec3 place = displayedPosition(wall.world, wall.state, v);
-            const auto [known, isNew] = places.emplace(point(v), place);
-            if (!isNew) REQUIRE(known->second == place);  // to the bit
-        }
-    }
-}
-
-TEST_CASE("sections that still hang together around a point share it, others leave it",
-          "[display]") {
-    Random random(11);
-    for (const int seed : {1, 2, 5, 7}) {
-        CAPTURE(seed);
-        BentWall wall(seed);
-        const World& world = wall.world;
-        for (double& damage : wall.state.damage)
-            if (damage < 1 && random() > 0) damage = 1;
-        std::map<std::pair<Point, int>, Vec3> places;
-        for (const DisplayVertex& v : verticesOf(world))
-            places[{point(v), static_cast<int>(v.cell)}] = displayedPosition(world, wall.state, v);
-        int joined = 0, apart = 0;
-        for (const auto& [key, place] : places) {
-            const auto& [p, cell] = key;
-            for (int axis = 0; axis < 3; ++axis) {
-                const int next = world.neighbour(cell, axis, +1);
-                const auto other = places.find({p, next});
-                if (next < 0 || other == places.end()) continue;
-                if (wall.state.damage[kBondsPerCell * cell + axis] < 1) {
-                    ++joined;
-                    REQUIRE(other->second == place);
-                } else {
-                    apart += other->second != place;
-                }
-            }
-        }
-        CHECK(joined > 20);
-        CHECK(apart > 20);
-    }
-}
-
-TEST_CASE("a section that has come loose moves as one body, whole", "[display]") {
-    for (const int seed : {1, 2, 7}) {
-        CAPTURE(seed);
-        const World world(wildWall(seed));
-        State state = world.initialState();
-        const int cell = world.bodies()[0].cellAt({1, 1, 0});
-        detach(world, state, cell);
-        const DisplayMesh mesh(world);
-        const State before = state;
-        const Mat3 turn = Eigen::AngleAxisd(1.1, Vec3(1, 2, -1).normalized()).toRotationMatrix();
-        const Vec3 by(0.3, -0.2, 0.7);
-        for (int corner = 0; corner < kCorners; ++corner) {
-            const int node = kCorners * cell + corner;
-            const Vec3 x = world.restPosition(node);
-            state.displacement[node] = turn * x + by - x;
-        }
-        for (const DisplayVertex& v : mesh.vertices()) {
-            const Vec3 then = displayedPosition(world, before, v);
-            const Vec3 now = displayedPosition(world, state, v);
-            if (static_cast<int>(v.cell) == cell)
-                // Rest positions of nodes are rounded to single precision.
-                REQUIRE((now - (turn * then + by)).norm() < 1e-6);
-            else
-                REQUIRE(now == then);
-        }
-    }
 }

@@ -5,14 +5,12 @@
 
 #include "catch.hpp"
 #include "scene/scene.hpp"
+#include "support/scene_text.hpp"
 
 using namespace sunder;
 
 namespace {
 
-/// Lines 1 to 5 of a scene; tests add line 6 and on.
-const std::string kBody =
-    "[[body]]\nname = 'wall'\nmaterial = 'wood'\nsize = [1, 1, 0.1]\ncells = [10, 10, 1]\n";
 const std::string kSphere = "[[object]]\nname = 'ball'\nshape = 'sphere'\nradius = 0.2\n";
 const std::string kBox = "[[object]]\nname = 'crate'\nshape = 'box'\nsize = [1, 2, 3]\n";
 const std::string kCapsule =
@@ -24,15 +22,6 @@ const std::string kThrow =
 
 Scene parse(const std::string& text) {
     return parseScene(text, "walls.toml", {});
-}
-
-std::string messageOf(const std::string& text) {
-    try {
-        parse(text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return {};
 }
 
 std::string without(std::string text, const std::string& line) {
@@ -105,10 +94,6 @@ TEST_CASE("Things touch unless the scene says that they do not", "[scene]") {
 }
 
 TEST_CASE("A mistake in an object or a throw becomes one sentence", "[scene]") {
-    struct Bad {
-        std::string text;
-        std::vector<std::string> parts;
-    };
     const std::string ball = kSphere + kMass;  // lines 6 to 10 behind kBody
     const std::string there = "position = [0, 1, 1]\n";
     const std::string hung = ball + there + "hung_from = [0, 3, 1]\n";
@@ -219,18 +204,13 @@ TEST_CASE("A mistake in an object or a throw becomes one sentence", "[scene]") {
           "did you mean 'throw'?"}},
     };
     for (const Bad& bad : cases) {
-        const std::string message = messageOf(bad.text);
-        INFO("message: " << message);
-        for (const std::string& part : bad.parts) {
-            INFO("wanted: " << part);
-            CHECK(message.find(part) != std::string::npos);
-        }
-        CHECK(message.find('\n') == std::string::npos);
+        INFO("input: " << bad.text.substr(0, 400));
+        checkParts(sceneError(bad.text), bad.parts);
     }
     for (const char* key : {"body = 'wall'", "point = [0, 1, 0]", "radius = 1",
                             "vector = [0, 0, 1]", "duration = 1"}) {
         const std::string name = std::string(key).substr(0, std::string(key).find(' '));
-        const std::string message = messageOf(kBody + ball + kThrow + key + "\n");
+        const std::string message = sceneError(kBody + ball + kThrow + key + "\n");
         INFO("message: " << message);
         CHECK(message.find("'throw' has no '" + name + "'") != std::string::npos);
     }
@@ -238,7 +218,7 @@ TEST_CASE("A mistake in an object or a throw becomes one sentence", "[scene]") {
          {"object = 'ball'", "from = [0, 0, 0]", "velocity = [0, 0, 1]", "spin = [0, 0, 1]"}) {
         const std::string name = std::string(key).substr(0, std::string(key).find(' '));
         const std::string message =
-            messageOf(kBody + "[[event]]\nkind = 'velocity'\n" + key + "\n");
+            sceneError(kBody + "[[event]]\nkind = 'velocity'\n" + key + "\n");
         INFO("message: " << message);
         CHECK(message.find("'velocity' has no '" + name + "'") != std::string::npos);
     }
