@@ -47,7 +47,7 @@ void meetPair(int self, int other) {
     int a = min(self, other), b = max(self, other);
     ObjectRecord first = objectRecord(a), second = objectRecord(b);
     ObjectMotion stateA = objectMotion(a), stateB = objectMotion(b);
-    if (stateB.position.w * stateA.position.w == 0.0 || (first.inertia.w == 0.0 && second.inertia.w == 0.0)) return;
+    if (stateB.position.w * stateA.position.w == 0.0 || (still(a, first) && still(b, second))) return;
     RoundedBox boxA = boxOf(first, stateA), boxB = boxOf(second, stateB);
     vec3 closing = stateB.velocity.xyz - stateA.velocity.xyz;
     // 0: the two as they are; 1–8: corners of the first; 9–16: of the second.
@@ -69,7 +69,7 @@ void meetAll(int self) {
     ObjectRecord record = objectRecord(self);
     ObjectMotion state = objectMotion(self);
     if (state.position.w == 0.0) return;
-    if (record.inertia.w > 0.0) meetBarriers(record, state);
+    if (!still(self, record)) meetBarriers(record, state);
     for (int other = 0; other < objectCount; ++other)
         if (other != self) meetPair(self, other);
 }

@@ -3,6 +3,7 @@
 
 uniform samplerBuffer objects;  // SUNDER_OBJECT_TEXELS per object
 uniform sampler2DArray motion;  // a texel per object, layers of ObjectMotion
+uniform samplerBuffer sleepers;  // x: 1 where the object is asleep
 uniform int objectCount;
 
 ObjectRecord objectRecord(int object) {
@@ -13,8 +14,13 @@ ObjectRecord objectRecord(int object) {
 
 ObjectMotion objectMotion(int object) {
     return ObjectMotion(texelFetch(motion, ivec3(object, 0, 0), 0), texelFetch(motion, ivec3(object, 0, 1), 0),
-                        texelFetch(motion, ivec3(object, 0, 2), 0), texelFetch(motion, ivec3(object, 0, 3), 0));
+                        texelFetch(motion, ivec3(object, 0, 2), 0), texelFetch(motion, ivec3(object, 0, 3), 0),
+                        texelFetch(motion, ivec3(object, 0, 4), 0));
 }
+
+bool asleep(int object) { return texelFetch(sleepers, object).x > 0.0; }
+// It does not yield: fixed, or asleep.
+bool still(int object, ObjectRecord record) { return record.inertia.w == 0.0 || asleep(object); }
 
 // Columns: the object's axes. q: unit quaternion, w its real part.
 mat3 axesOf(vec4 q) {
@@ -41,11 +47,16 @@ vec3 velocityAt(ObjectRecord record, ObjectMotion state, vec3 x) {
            cross(spinOf(record, state.orientation, state.angularMomentum.xyz), x - state.position.xyz);
 }
 
-// What an object gives way per impulse, 1/kg, before it is multiplied by K: along the normal, across it.
-vec2 yieldOf(ObjectRecord record, ObjectMotion state, Touch touch) {
+// m/m' of an object, 1 at most.
+float loadShare(ObjectRecord record, ObjectMotion state) { return 1.0 / max(1.0, state.memory.x * record.inertia.w); }
+
+// What an object gives way per impulse, 1/kg, with its share of the mass for each of `touches_` touches: along the normal, across it.
+vec2 yieldOf(int object, ObjectRecord record, ObjectMotion state, Touch touch, float touches_) {
+    if (still(object, record)) return vec2(0.0);
     vec3 arm = touch.point - state.position.xyz;
     vec3 turned = cross(arm, touch.normal) * axesOf(state.orientation);
     vec3 inertia = record.inertia.xyz;
-    return record.inertia.w +
-           vec2(dot(turned, inertia * turned), dot(arm, arm) * max(inertia.x, max(inertia.y, inertia.z)));
+    vec2 whole = record.inertia.w +
+                 vec2(dot(turned, inertia * turned), dot(arm, arm) * max(inertia.x, max(inertia.y, inertia.z)));
+    return whole * (loadShare(record, state) * touches_);
 }

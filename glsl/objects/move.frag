@@ -1,68 +1,92 @@
 // One fragment per object: what it gets from barriers and objects, added to what it got from cells; then a step.
 #include "objects/among.glsl"
+#include "objects/spin.glsl"
 
 uniform sampler2DArray touchCounts;  // K
 uniform sampler2DArray impulses;     // from cells: N·s; N·m·s
 uniform vec3 gravity;                // m/s²
+uniform float heaviest;              // kg, of everything together
+uniform bool newWatch;               // this is the first step since objects were last looked at for rest
 
 layout(location = 0) out vec4 moved[SUNDER_OBJECT_LAYERS];
+
+const float kLoadTime = 0.1, kUnloadTime = 2.0e-3;  // s, src/core/object_contact.hpp
 
 int self;
 ObjectRecord record;
 ObjectMotion state;
 vec3 linear, angular;
+float others;  // N·s: of the sizes of impulses that no cell gave
 
 float touchCount(int object) { return texelFetch(touchCounts, ivec3(object, 0, 0), 0).x; }
 
 void meet(Touch touch, vec3 velocity, int other, bool own, float restitution, float friction) {
     if (!touches(touch, velocity, stepSize)) return;
-    vec2 mine = yieldOf(record, state, touch) * touchCount(self), theirs = vec2(0.0);
-    if (other >= 0) theirs = yieldOf(objectRecord(other), objectMotion(other), touch) * touchCount(other);
+    vec2 mine = yieldOf(self, record, state, touch, touchCount(self)), theirs = vec2(0.0);
+    if (other >= 0) theirs = yieldOf(other, objectRecord(other), objectMotion(other), touch, touchCount(other));
     // The first side's before the second's, so that both get the same to the bit.
     vec2 yield_ = (own ? mine : theirs) + (own ? theirs : mine);
     vec3 impulse = touchImpulse(touch, velocity, yield_, restitution, friction, stepSize);
     if (own) impulse = -impulse;
     linear += impulse;
     angular += cross(touch.point - state.position.xyz, impulse);
+    others += length(impulse);
 }
 
-// Product of quaternions.
-vec4 times(vec4 a, vec4 b) { return vec4(a.w * b.xyz + b.w * a.xyz + cross(a.xyz, b.xyz), a.w * b.w - dot(a.xyz, b.xyz)); }
+// Holds what moves to `next` on its chain; whether it was taut.
+bool hang(float share, inout vec3 velocity, inout vec3 next) {
+    vec3 along = next - record.hungFrom.xyz;
+    float chain = record.surface.w;
+    if (chain <= 0.0 || length(along) <= chain) return false;
+    vec3 outward = normalize(along);
+    float taken = max(0.0, dot(velocity, outward)), pull = taken / (share * record.inertia.w);
+    velocity -= taken * outward;
+    next = record.hungFrom.xyz + chain * outward;
+    linear -= pull * outward;
+    others += pull;
+    return true;
+}
 
-vec4 turned(vec3 spin, float time) {
-    float angle = min(length(spin) * time, 1.0);
-    if (angle == 0.0) return state.orientation;
-    return times(vec4(sin(0.5 * angle) * normalize(spin), cos(0.5 * angle)), state.orientation);
+float loadAfter(vec3 fromCells) {
+    float squeeze = 0.5 * (others + length(fromCells) - length(linear));
+    float fading = exp(-stepSize / (others > 0.0 ? kLoadTime : kUnloadTime)) * state.memory.x;
+    return min(heaviest, max(fading, squeeze / (stepSize * 9.81)));
 }
 
 void main() {
     self = int(gl_FragCoord.x);
     record = objectRecord(self);
     state = objectMotion(self);
-    linear = texelFetch(impulses, ivec3(self, 0, 0), 0).xyz;
+    vec3 fromCells = texelFetch(impulses, ivec3(self, 0, 0), 0).xyz;
+    linear = fromCells;
     angular = texelFetch(impulses, ivec3(self, 0, 1), 0).xyz;
-    if (state.position.w > 0.0 && record.inertia.w > 0.0) {
+    others = 0.0;
+    if (state.position.w > 0.0 && !still(self, record)) {
         meetAll(self);
-        float kept = record.surface.z;
-        vec3 velocity = kept * state.velocity.xyz + stepSize * gravity + record.inertia.w * linear;
-        vec3 momentum = kept * state.angularMomentum.xyz + angular;
+        float kept = record.surface.z, share = loadShare(record, state);
+        vec3 velocity = kept * state.velocity.xyz + share * (stepSize * gravity + record.inertia.w * linear);
+        vec3 momentum = kept * state.angularMomentum.xyz + share * angular;
         vec3 next = state.position.xyz + stepSize * velocity;
-        vec3 along = next - record.hungFrom.xyz;
-        float chain = record.surface.w;
-        if (chain > 0.0 && length(along) > chain) {
-            vec3 outward = normalize(along);
-            velocity -= max(0.0, dot(velocity, outward)) * outward;
-            next = record.hungFrom.xyz + chain * outward;
-        }
-        // A turn by the spin in the middle of the step.
-        vec4 middle = turned(spinOf(record, state.orientation, momentum), 0.5 * stepSize);
-        state.orientation = normalize(turned(spinOf(record, middle, momentum), stepSize));
+        bool hung = hang(share, velocity, next);
+        float energy = kept * kept * state.angularMomentum.w;
+        if (angular != vec3(0.0)) energy = spinEnergy(record, state.orientation, momentum);
+        state.orientation = turnedFreely(record, state.orientation, momentum, stepSize, energy);
         state.position.xyz = next;
         state.velocity.xyz = velocity;
-        state.angularMomentum.xyz = momentum;
+        state.angularMomentum = vec4(momentum, energy);
+
+        float spin = length(spinOf(record, state.orientation, momentum));
+        float fastest = length(velocity) + spin * (length(record.shape.xyz) + record.shape.w);
+        int had = (touchCount(self) > 0.0 ? SUNDER_TOUCHED : 0) | (hung ? SUNDER_HUNG : 0);
+        if (!newWatch) {
+            fastest = max(fastest, state.memory.y);
+            had |= int(state.memory.z);
+        }
+        state.memory = vec4(loadAfter(fromCells), fastest, float(had), 0.0);
     }
     moved[0] = state.position;
     moved[1] = state.orientation;
     moved[2] = state.velocity;
     moved[3] = state.angularMomentum;
+    moved[4] = state.memory;
 }

@@ -51,6 +51,9 @@ void main() {
     RoundedBox box = cellBox(nodes_, body.cellSize.xyz);
     vec3 mean = meanOf(nodes_.velocity), margin = 0.5 / sphereCounts(body);  // half a sphere's share of the cell
 
+    bool stillCell = true;
+    for (int corner = 0; corner < 8; ++corner) stillCell = stillCell && nodes_.velocity[corner] == vec3(0.0);
+
     // The touches of all objects with this cell are counted, this entry's is kept.
     float cellTouches = 0.0;
     Touch touch;
@@ -77,7 +80,7 @@ void main() {
             v += itsWeights[corner] * nodes_.velocity[corner];
             sum += itsWeights[corner] * itsWeights[corner];
         }
-        bool does = touches(its, v, stepSize);
+        bool does = touches(its, v, stepSize) && !(stillCell && asleep(other));  // or they sleep together
         if (does) cellTouches += 1.0;
         if (slot == pair.w) {
             touch = its;
@@ -94,7 +97,7 @@ void main() {
 #else
     ObjectRecord kind = objectRecord(object);
     ObjectMotion state = objectMotion(object);
-    vec2 yield_ = yieldOf(kind, state, touch) * texelFetch(touchCounts, ivec3(object, 0, 0), 0).x;
+    vec2 yield_ = yieldOf(object, kind, state, touch, texelFetch(touchCounts, ivec3(object, 0, 0), 0).x);
     yield_ += squares / cornerMass(record) * cellTouches;
     float restitution = float(record.x >> SUNDER_CELL_RESTITUTION_BIT) / 255.0;
     vec3 given_ =

@@ -77,14 +77,17 @@ struct ObjectRecord {
 };
 #define SUNDER_OBJECT_TEXELS 5
 
-// An object's state: four texels, one after the other or in layers of a texture.
+// An object's state: five texels, in layers of a texture.
 struct ObjectMotion {
     vec4 position;         // xyz: m; w: 1, or 0: not there
     vec4 orientation;      // quaternion; w: its real part
     vec4 velocity;         // xyz: m/s; w: 0
-    vec4 angularMomentum;  // xyz: kg·m²/s, about its centre; w: 0
+    vec4 angularMomentum;  // xyz: kg·m²/s, about its centre; w: energy of the spin, J
+    vec4 memory;           // load, kg; since it was last looked at: its fastest, m/s; what it had (SUNDER_TOUCHED + SUNDER_HUNG); w: 0
 };
-#define SUNDER_OBJECT_LAYERS 4
+#define SUNDER_OBJECT_LAYERS 5
+#define SUNDER_TOUCHED 1  // a touch with anything
+#define SUNDER_HUNG 2     // a taut chain
 
 // One node in a node buffer, as transform feedback writes it: 8 floats.
 struct NodeRecord {

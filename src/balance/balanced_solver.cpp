@@ -90,6 +90,10 @@ bool BalancedSolver::asleep(int body) const {
     return onGpu(body) ? gather_.asleep(body) : cpu_.asleep(body);
 }
 
+bool BalancedSolver::objectAsleep(int object) const {
+    return onGpu(0) ? gather_.objectAsleep(object) : cpu_.objectAsleep(object);
+}
+
 gpu::StateView BalancedSolver::view() {
     for (int body = 0; body < static_cast<int>(world_.bodies().size()); ++body) {
         if (onGpu(body)) continue;

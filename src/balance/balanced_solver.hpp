@@ -24,6 +24,7 @@ class BalancedSolver : public gpu::GpuSolver {
     State state() const override;
     void setState(const State& state) override;
     bool asleep(int body) const override;
+    bool objectAsleep(int object) const override;
     gpu::StateView view() override;
     /// Of the bodies on the GPU.
     void setPassTimer(gpu::PassTimer* timer) override { gather_.setPassTimer(timer); }

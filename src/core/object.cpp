@@ -1,6 +1,8 @@
 #include "core/object.hpp"
 
-#include <numbers>
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace sunder {
 namespace {
@@ -67,10 +69,57 @@ Vec3 ObjectState::spin(const Object& object) const {
            object.inverseInertia.cwiseProduct(orientation.conjugate() * angularMomentum);
 }
 
+bool ObjectState::operator==(const ObjectState& other) const {
+    return present == other.present && position == other.position &&
+           orientation.coeffs() == other.orientation.coeffs() && velocity == other.velocity &&
+           angularMomentum == other.angularMomentum && load == other.load;
+}
+
 double ObjectState::kineticEnergy(const Object& object) const {
     if (object.inverseMass == 0) return 0;
     return 0.5 * velocity.squaredNorm() / object.inverseMass +
            0.5 * angularMomentum.dot(spin(object));
+}
+
+namespace {
+
+/// How often a step's turn is split.
+constexpr int kSplits = 2;
+
+/// The axis whose moment of inertia is the middle one.
+int middleAxis(const Vec3& inverseInertia) {
+    std::array<int, 3> axes{0, 1, 2};
+    std::stable_sort(axes.begin(), axes.end(),
+                     [&](int a, int b) { return inverseInertia[a] < inverseInertia[b]; });
+    return axes[1];
+}
+
+Eigen::Quaterniond turnAbout(const Vec3& axis, double angle) {
+    return Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis));
+}
+
+}  // namespace
+
+Eigen::Quaterniond turnedFreely(const Object& object, const ObjectState& state, double time) {
+    const double size = state.angularMomentum.norm();
+    if (size == 0) return state.orientation;
+    const Vec3& inverse = object.inverseInertia;
+    const int middle = middleAxis(inverse), first = (middle + 1) % 3, second = (middle + 2) % 3;
+    Vec3 momentum = state.orientation.conjugate() * state.angularMomentum;  // in the object's frame
+    Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+    const auto turnAlong = [&](int axis, double share) {
+        const double angle = (inverse[axis] - inverse[middle]) * momentum[axis] * share;
+        const Eigen::Quaterniond part = turnAbout(Vec3::Unit(axis), angle);
+        turn = turn * part;
+        momentum = part.conjugate() * momentum;
+    };
+    for (int i = 0; i < kSplits; ++i) {
+        turnAlong(first, 0.5 * time / kSplits);
+        turnAlong(second, time / kSplits);
+        turnAlong(first, 0.5 * time / kSplits);
+    }
+    turn = turn * turnAbout(momentum / size, inverse[middle] * size * time);
+    return (state.orientation * turn).normalized();
 }
 
 namespace {

@@ -97,11 +97,31 @@ double partingSpeed(double gap, double step) {
     return gap > 0 ? -gap / step : -gap / std::max(kPartingTime, step / kContactStiffness);
 }
 
+double loadShare(const Object& object, const ObjectState& state) {
+    return 1 / std::max(1.0, state.load * object.inverseMass);
+}
+
+double loadAfter(double load, const TouchSum& sum, double step, double most) {
+    const double squeeze = 0.5 * (sum.others + sum.cells.norm() - sum.all.norm());
+    const double fading = std::exp(-step / (sum.others > 0 ? kLoadTime : kUnloadTime)) * load;
+    return std::min(most, std::max(fading, squeeze / (step * 9.81)));
+}
+
+double massOf(const World& world) {
+    double sum = 0;
+    for (int cell = 0; cell < world.cellCount(); ++cell)
+        if (world.present(cell)) sum += world.cellMass(cell);
+    for (const Object& object : world.objects())
+        if (object.inverseMass > 0) sum += 1 / object.inverseMass;
+    return sum;
+}
+
 Yield yieldOf(const Object& object, const ObjectState& state, const Touch& touch) {
     const Vec3 arm = touch.point - state.position;
     const Vec3 turned = state.orientation.conjugate() * arm.cross(touch.normal);
-    return {object.inverseMass + turned.dot(object.inverseInertia.cwiseProduct(turned)),
-            object.inverseMass + arm.squaredNorm() * object.inverseInertia.maxCoeff()};
+    return Yield{object.inverseMass + turned.dot(object.inverseInertia.cwiseProduct(turned)),
+                 object.inverseMass + arm.squaredNorm() * object.inverseInertia.maxCoeff()} *
+           loadShare(object, state);
 }
 
 Vec3 touchImpulse(const Touch& touch, const Vec3& velocity, const Yield& yield, double restitution,

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 
 #include "core/contact.hpp"
@@ -27,10 +28,24 @@ namespace sunder {
 /// that the cell and the object have in this step: each touch gets its share of their masses (mass
 /// splitting, Tonge et al. 2012), so that all together never add energy. e and μ are means of both
 /// sides'.
+///
+/// A share of its mass is all that an object has to hold up another with, so a light one would sink
+/// under a heavy one. An object that others squeeze between them therefore answers touches with the
+/// mass that it carries, m' = max(m, load), instead of m, above and in what an impulse does to its
+/// motion and spin; gravity goes on pulling at m. Squeezed means: touches whose impulses cancel,
+///
+///   load = ½·(Σ|p| + |Σp_cells| − |Σp|)/(h·g₀),  g₀ = 9.81 m/s²
+///
+/// over objects, barriers and a chain, cells all together. It grows at once and fades within
+/// kLoadTime, so that it hardly changes while a stack swings (changing with it would drive it), or
+/// within kUnloadTime where nothing but cells touches the object. One that is hit from one side has
+/// none.
 inline constexpr double kBounceSpeed = 0.3;  ///< m/s
 inline constexpr int kProjections = 6;
 inline constexpr int kAdvances = 8;
 inline constexpr double kCellRoundness = 0.1;  ///< radius of a cell's box in shortest edges
+inline constexpr double kLoadTime = 0.1;       ///< s
+inline constexpr double kUnloadTime = 2e-3;    ///< s
 
 /// A box somewhere, and how far around it counts.
 struct RoundedBox {
@@ -46,6 +61,10 @@ RoundedBox boxOf(const Object& object, const ObjectState& state);
 /// A cell's corners: m, m/s.
 struct CellMotion {
     std::array<Vec3, kCorners> position, velocity;
+    bool still() const {
+        return std::all_of(velocity.begin(), velocity.end(),
+                           [](const Vec3& v) { return v.isZero(0); });
+    }
     /// edges: of the cell at rest, m.
     RoundedBox box(const Vec3& edges) const;
 };
@@ -80,6 +99,18 @@ struct Yield {
     }
     Yield operator*(double share) const { return {share * normal, share * tangential}; }
 };
+/// m/m' of an object, 1 at most.
+double loadShare(const Object& object, const ObjectState& state);
+/// What touches gave an object in a step, N·s.
+struct TouchSum {
+    Vec3 all{0, 0, 0}, cells{0, 0, 0};
+    double others = 0;  ///< of the sizes of those that no cell gave
+};
+/// kg, after a step. most: no object carries more than everything there is.
+double loadAfter(double load, const TouchSum& sum, double step, double most);
+/// kg, of all bodies and objects.
+double massOf(const World& world);
+
 /// Of an object, before it is multiplied by K.
 Yield yieldOf(const Object& object, const ObjectState& state, const Touch& touch);
 inline Yield yieldOf(double inverseMass) {

@@ -6,12 +6,29 @@
 
 namespace sunder {
 
-double calmSpeed(const Body& body) {
-    return kSleepSpeed * body.cellSize.minCoeff();
+namespace {
+
+/// m/s.
+double atMost(double speed, const World& world, const Body& body) {
+    const double falling = body.gravity.norm() * kSleepDelay;  // what it would gain
+    if (falling > 0) return std::min(speed, 0.1 * falling);
+    const auto& anchors = world.description().bodies[&body - world.bodies().data()].anchors;
+    return anchors.empty() ? std::min(speed, 1e-3 * body.cellSize.minCoeff()) : speed;
 }
 
-double creepSpeed(const Body& body) {
-    return kCreepSpeed * body.cellSize.minCoeff();
+}  // namespace
+
+double calmSpeed(const World& world, const Body& body) {
+    return atMost(kSleepSpeed * body.cellSize.minCoeff(), world, body);
+}
+
+double creepSpeed(const World& world, const Body& body) {
+    return atMost(kCreepSpeed * body.cellSize.minCoeff(), world, body);
+}
+
+bool calm(const ObjectUnrest& unrest) {
+    if (unrest.touched) return unrest.fastest <= kStirringSpeed;
+    return unrest.fastest <= (unrest.hung ? kHangingSpeed : 0);
 }
 
 int sleepSteps(const World& world) {

@@ -30,8 +30,10 @@ class Solver {
     virtual State state() const = 0;
     /// `state` must come from the same world.
     virtual void setState(const State& state) = 0;
-    /// Whether a body is at rest and costs nothing (core/sleep.hpp); solvers may never let one.
+    /// Whether a body or an object is at rest and costs nothing (core/sleep.hpp); solvers may never
+    /// let one.
     virtual bool asleep([[maybe_unused]] int body) const { return false; }
+    virtual bool objectAsleep([[maybe_unused]] int object) const { return false; }
     /// From now on incidents go there; null: nowhere, the default, at no cost. The state does not
     /// depend on it. Solvers on a GPU hand them over two looks late, all in finish(). The ring
     /// must outlive its use here.

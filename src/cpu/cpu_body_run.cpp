@@ -2,8 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sunder::cpu {
+namespace {
+
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 BodyRun::BodyRun(const World& world, int index, const std::vector<Law>& laws)
     : world_(world), storage_(world, index, laws), news_(kMaxParts) {
@@ -23,8 +29,9 @@ BodyRun::BodyRun(const World& world, int index, const std::vector<Law>& laws)
     }
     pushes_.reserve(patches_.size());
     reach_ = (a.reach + kLanes - 1) / kLanes;
-    calmSpeed2_ = static_cast<float>(calmSpeed(body) * calmSpeed(body));
-    creepSpeed2_ = static_cast<float>(creepSpeed(body) * creepSpeed(body));
+    const double calm = calmSpeed(world, body), creep = creepSpeed(world, body);
+    calmSpeed2_ = static_cast<float>(calm * calm);
+    creepSpeed2_ = static_cast<float>(creep * creep);
     sleepSteps_ = sunder::sleepSteps(world);
 }
 
@@ -146,11 +153,33 @@ Vec3 BodyRun::position(int node) const {
 
 void BodyRun::updateSleep(bool calm) {
     calmSteps_ = calm ? calmSteps_ + world_.description().fractureInterval : 0;
-    if (calmSteps_ < sleepSteps_) return;
+    // Where bodies touch, what a whole island does decides (CpuSolver::rest()).
+    if (ready() && !world_.description().contact) fallAsleep();
+}
+
+void BodyRun::fallAsleep() {
     asleep_ = true;
     calmSteps_ = 0;
     BodyArrays& a = storage_.arrays();
     std::fill_n(a.velocity, kNodeComponents * kLanes * a.vectors, 0.f);
+}
+
+void BodyRun::addRestBoxes(std::vector<RestBox>& boxes) const {
+    const int index = storage_.arrays().index;
+    const Body& body = world_.bodies()[index];
+    const Vec3 reach = Vec3::Constant(restReach(body));
+    for (int first = body.firstCell; first < body.firstCell + body.cellCount();
+         first += kCellsPerRestBox) {
+        RestBox box{memberOfBody(index), Vec3::Constant(kNowhere), Vec3::Constant(-kNowhere)};
+        const int end = std::min(first + kCellsPerRestBox, body.firstCell + body.cellCount());
+        for (int node = kCorners * first; node < kCorners * end; ++node) {
+            if (!world_.present(node / kCorners)) continue;
+            const Vec3 place = position(node);
+            box.low = box.low.cwiseMin(place - reach);
+            box.high = box.high.cwiseMax(place + reach);
+        }
+        if (box.low[0] <= box.high[0]) boxes.push_back(box);
+    }
 }
 
 /// Calls move(mine, theirs) for every number of the body and its place in `state`.

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/rest_islands.hpp"
 #include "core/sleep.hpp"
 #include "cpu/cpu_body.hpp"
 #include "cpu/cpu_kernels.hpp"
@@ -44,10 +45,15 @@ class BodyRun {
     void load(const State& state);
     void store(State& state) const;
     bool asleep() const { return asleep_; }
+    /// Whether it has been calm for long enough to sleep.
+    bool ready() const { return calmSteps_ >= sleepSteps_; }
+    void fallAsleep();
     void wake() {
         asleep_ = false;
         calmSteps_ = 0;
     }
+    /// Adds boxes around its cells as they are now (core/rest_islands.hpp).
+    void addRestBoxes(std::vector<RestBox>& boxes) const;
     /// Whether the body may touch something: what a calm body is depends on it.
     void setTouching(bool touching) { touching_ = touching; }
     /// Changes when link masks did.

@@ -32,7 +32,9 @@ struct CpuSolver::Runner {
     std::optional<cpu::ObjectCells> objectCells;
     std::unique_ptr<IncidentWatch> watch;
     PassObserver* observer = nullptr;
-    std::vector<bool> touching;  ///< per body: something else may touch it
+    std::vector<bool> touching;       ///< per body: something else may touch it
+    std::optional<RestIslands> rest;  ///< with contact
+    int restInterval = 0;             ///< steps from one look for rest to the next
     /// Awake bodies that may touch something, in groups that have nothing to do with each other;
     /// with objects, the first are those near one and what hangs on them.
     std::vector<std::vector<int>> islands;

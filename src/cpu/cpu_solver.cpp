@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/incident.hpp"
 #include "cpu/cpu_runner.hpp"
 #include "cpu/parallel.hpp"
 
@@ -32,6 +33,10 @@ CpuSolver::CpuSolver(const World& world, int threads)
         std::vector<const cpu::BodyArrays*> arrays;
         for (const auto& run : bodies_) arrays.push_back(&run->arrays());
         runner.contact.emplace(world, arrays);
+        runner.rest.emplace(memberOfObject(world, static_cast<int>(world.objects().size())));
+        // Searches come at multiples of kContactInterval.
+        runner.restInterval =
+            kContactInterval * std::max(1, stepsPerLook(world) / kContactInterval);
         if (!world.objects().empty()) {
             runner.objects.emplace(world);
             runner.objectCells.emplace(world, std::move(arrays), *runner.contact);
@@ -72,10 +77,12 @@ void CpuSolver::advance(int steps) {
             std::int64_t next = std::min(end, (step_ / kContactInterval + 1) * kContactInterval);
             for (const Throw& thrown : world_.throws())
                 if (thrown.step > step_) next = std::min(next, thrown.step);
-            if (runner.objects) runner.objects->startStep(step_);
+            startThrows();
+            wakePushed(next);
+            if (step_ % runner.restInterval == 0) rest();
             if (runner.contact->due() || step_ % kContactInterval == 0 ||
                 (runner.objects && runner.objects->searchDue()))
-                searchContacts(next);
+                searchContacts();
             advanceTo(next, true);
         }
     });
@@ -143,7 +150,10 @@ void CpuSolver::advanceTouching(int steps) {
 }
 
 bool CpuSolver::hasObjects(const std::vector<int>& island) const {
-    return runner_->objects && &island == &runner_->islands.front();
+    if (!runner_->objects || &island != &runner_->islands.front()) return false;
+    return runner_->objects->anyAwake() ||
+           std::any_of(island.begin(), island.end(),
+                       [this](int body) { return !bodies_[body]->asleep(); });
 }
 
 void CpuSolver::advanceIsland(int steps, const std::vector<int>& bodies) {
@@ -206,17 +216,14 @@ void CpuSolver::advanceLargeIsland(int steps, const std::vector<int>& bodies) {
             part.run->nodes(part.first, part.end, part.number);
             contact.follow(part.tiles);
         });
-        for (const int body : bodies) {
-            if (bodies_[body]->asleep()) continue;
-            bodies_[body]->endStep();
-            if (bodies_[body]->asleep()) contact.follow(contact.tilesOf(body));  // it stopped
-        }
+        for (const int body : bodies)
+            if (!bodies_[body]->asleep()) bodies_[body]->endStep();
         if (objects) runner.objects->move();
     }
 }
 
-/// Finds what may touch until step number `until`, and wakes bodies that are hit.
-void CpuSolver::searchContacts(std::int64_t until) {
+/// Finds what may touch until the next search, and wakes what is hit.
+void CpuSolver::searchContacts() {
     Runner& runner = *runner_;
     cpu::Contact& contact = *runner.contact;
     std::vector<cpu::Contact::BodyStatus> status(bodies_.size());
@@ -227,8 +234,7 @@ void CpuSolver::searchContacts(std::int64_t until) {
         bool awake = false;
         for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
             const BodyRun& run = *bodies_[body];
-            const bool moves =
-                run.held && (!run.asleep() || pushedWithin(world_, body, step_, until));
+            const bool moves = run.held && !run.asleep();
             status[body] = {run.held, moves, run.relinks()};
             awake |= moves;
         }
@@ -244,12 +250,68 @@ void CpuSolver::searchContacts(std::int64_t until) {
             const bool hit = bodies_[body]->asleep() && runner.objects && runner.objects->hit(body);
             runner.touching[body] = contact.touching(body) || near;
             bodies_[body]->setTouching(runner.touching[body]);
-            if (!contact.hit(body) && !hit) continue;
-            bodies_[body]->wake();
+            if (!(contact.hit(body) && bodies_[body]->asleep()) && !hit) continue;
+            wake(memberOfBody(body));
+            again = true;
+        }
+        for (int object = 0; object < static_cast<int>(world_.objects().size()); ++object) {
+            if (!runner.objects->disturbed(object)) continue;
+            wake(memberOfObject(world_, object));
             again = true;
         }
     }
     findIslands();
+}
+
+void CpuSolver::startThrows() {
+    Runner& runner = *runner_;
+    if (!runner.objects) return;
+    for (const Throw& thrown : world_.throws())
+        if (thrown.step == step_) wake(memberOfObject(world_, thrown.object));
+    runner.objects->startStep(step_);
+}
+
+void CpuSolver::wakePushed(std::int64_t until) {
+    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
+        if (bodies_[body]->asleep() && pushedWithin(world_, body, step_, until))
+            wake(memberOfBody(body));
+}
+
+void CpuSolver::wake(int member) {
+    for (const int woken : runner_->rest->wake(member))
+        if (const int object = woken - memberOfObject(world_, 0); object >= 0)
+            runner_->objects->wake(object);
+        else
+            bodies_[woken]->wake();
+}
+
+void CpuSolver::rest() {
+    using Status = RestIslands::Status;
+    Runner& runner = *runner_;
+    if (runner.objects) runner.objects->look(runner.restInterval);
+    std::vector<Status> status;
+    for (const auto& run : bodies_)
+        status.push_back(!run->held      ? Status::Apart
+                         : run->asleep() ? Status::Asleep
+                         : run->ready()  ? Status::Ready
+                                         : Status::Restless);
+    for (int object = 0; object < static_cast<int>(world_.objects().size()); ++object)
+        status.push_back(runner.objects->restStatus(object));
+    if (std::count(status.begin(), status.end(), Status::Ready) == 0) return;
+    std::vector<RestBox> boxes;
+    for (const auto& run : bodies_)
+        if (run->held) run->addRestBoxes(boxes);
+    for (int object = 0; object < static_cast<int>(world_.objects().size()); ++object)
+        if (status[memberOfObject(world_, object)] != Status::Apart)
+            boxes.push_back(restBoxOf(world_, object, runner.objects->states()[object]));
+    const auto touches =
+        restTouches(world_, std::move(boxes),
+                    runner.objects ? runner.objects->states() : std::vector<ObjectState>{});
+    for (const int member : runner.rest->settle(status, touches))
+        if (const int object = member - memberOfObject(world_, 0); object >= 0)
+            runner.objects->fallAsleep(object);
+        else
+            bodies_[member]->fallAsleep();
 }
 
 void CpuSolver::findIslands() {
@@ -283,6 +345,7 @@ void CpuSolver::setState(const State& state) {
     for (const auto& run : bodies_)
         if (run->held) run->load(state);
     if (runner_->contact) runner_->contact->forget();
+    if (runner_->rest) runner_->rest->wakeAll();
     if (runner_->objects) runner_->objects->set(state.objects);
     if (runner_->watch) runner_->watch->forget();
 }
@@ -297,20 +360,33 @@ void CpuSolver::setIncidents(IncidentRing* ring) {
 
 void CpuSolver::adopt(const std::vector<int>& bodies, const State& state) {
     for (const int body : bodies) {
+        if (runner_->rest) wake(memberOfBody(body));
         bodies_[body]->load(state);
         bodies_[body]->held = true;
     }
-    if (runner_->objects) runner_->objects->set(state.objects);
+    setObjects(state);
     shareOut();
 }
 
 void CpuSolver::release(const std::vector<int>& bodies, State& state) {
     for (const int body : bodies) {
+        if (runner_->rest) wake(memberOfBody(body));
         bodies_[body]->store(state);
         bodies_[body]->held = false;
     }
     storeObjects(state);
     shareOut();
+}
+
+/// Those that are as they were sleep on.
+void CpuSolver::setObjects(const State& state) {
+    if (!runner_->objects) return;
+    Objects& objects = *runner_->objects;
+    for (int object = 0; object < static_cast<int>(state.objects.size()); ++object) {
+        if (objects.states()[object] == state.objects[object]) continue;
+        wake(memberOfObject(world_, object));
+        objects.set(object, state.objects[object]);
+    }
 }
 
 bool CpuSolver::holds(int body) const {
@@ -330,6 +406,10 @@ int CpuSolver::threads() const {
 }
 bool CpuSolver::asleep(int body) const {
     return bodies_[body]->held && bodies_[body]->asleep();
+}
+
+bool CpuSolver::objectAsleep(int object) const {
+    return runner_->objects && runner_->objects->asleep(object);
 }
 
 double CpuSolver::bytesPerTetrahedron() const {

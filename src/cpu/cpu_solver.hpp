@@ -22,6 +22,7 @@ class CpuSolver : public Solver, public BodyHost {
     State state() const override;
     void setState(const State& state) override;
     bool asleep(int body) const override;
+    bool objectAsleep(int object) const override;
     void setIncidents(IncidentRing* ring) override;
     bool setPassObserver(PassObserver* observer) override;
 
@@ -50,7 +51,14 @@ class CpuSolver : public Solver, public BodyHost {
     void advanceObserved(int steps, bool contact);
     void advanceIsland(int steps, const std::vector<int>& bodies);
     void advanceLargeIsland(int steps, const std::vector<int>& bodies);
-    void searchContacts(std::int64_t until);
+    void searchContacts();
+    /// Lets islands fall asleep all of which have been calm for long enough.
+    void rest();
+    /// Wakes a body or an object and what sleeps with it (core/rest_islands.hpp).
+    void wake(int member);
+    void wakePushed(std::int64_t until);
+    void startThrows();
+    void setObjects(const State& state);
     void findIslands();
     void lookForIncidents();
     /// Whether objects advance with this island: the first one.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/sleep.hpp"
-
 namespace sunder {
 namespace {
 
@@ -32,6 +30,11 @@ Objects::Objects(const World& world)
       barriers_(barriers(world.description())),
       near_(world.bodies().size()),
       hit_(world.bodies().size()),
+      disturbed_(world.objects().size()),
+      asleep_(world.objects().size()),
+      rests_(world.objects().size()),
+      heaviest_(massOf(world)),
+      sleepSteps_(sleepSteps(world)),
       cellTouches_(static_cast<std::size_t>(world.cellCount())),
       objectTouches_(world.objects().size()),
       impulses_(world.objects().size()) {
@@ -41,20 +44,56 @@ Objects::Objects(const World& world)
 void Objects::set(const std::vector<ObjectState>& states) {
     states_ = states;
     searchDue_ = true;
+    std::fill(asleep_.begin(), asleep_.end(), false);
+    std::fill(rests_.begin(), rests_.end(), Rest{});
 }
 
 void Objects::startStep(std::int64_t step) {
-    for (const Throw& thrown : world_.throws()) {
-        if (thrown.step != step) continue;
-        states_[thrown.object] = thrown.state;
-        searchDue_ = true;
+    for (const Throw& thrown : world_.throws())
+        if (thrown.step == step) set(thrown.object, thrown.state);
+}
+
+void Objects::set(int object, const ObjectState& state) {
+    states_[object] = state;
+    wake(object);
+    searchDue_ = true;
+}
+
+double Objects::speed(int object) const {
+    const ObjectState& state = states_[object];
+    const Object& kind = world_.objects()[object];
+    return state.velocity.norm() + state.spin(kind).norm() * kind.reach();
+}
+
+void Objects::look(int steps) {
+    for (Rest& rest : rests_) {
+        rest.calmSteps = calm(rest.unrest) ? rest.calmSteps + steps : 0;
+        rest.unrest = {};
     }
 }
 
-bool Objects::moves(int object) const {
-    const ObjectState& state = states_[object];
-    const Object& kind = world_.objects()[object];
-    return state.velocity.norm() + state.spin(kind).norm() * kind.reach() > kStirringSpeed;
+RestIslands::Status Objects::restStatus(int object) const {
+    using Status = RestIslands::Status;
+    if (!states_[object].present || world_.objects()[object].inverseMass == 0) return Status::Apart;
+    if (asleep_[object]) return Status::Asleep;
+    return rests_[object].calmSteps >= sleepSteps_ ? Status::Ready : Status::Restless;
+}
+
+void Objects::fallAsleep(int object) {
+    asleep_[object] = true;
+    states_[object].velocity.setZero();
+    states_[object].angularMomentum.setZero();
+}
+
+void Objects::wake(int object) {
+    asleep_[object] = false;
+    rests_[object] = {};
+}
+
+bool Objects::anyAwake() const {
+    for (int object = 0; object < static_cast<int>(states_.size()); ++object)
+        if (states_[object].present && !still(object)) return true;
+    return false;
 }
 
 void Objects::search(const Cells& cells, const std::vector<bool>& held) {
@@ -62,12 +101,14 @@ void Objects::search(const Cells& cells, const std::vector<bool>& held) {
     candidates_.clear();
     std::fill(near_.begin(), near_.end(), false);
     std::fill(hit_.begin(), hit_.end(), false);
+    std::fill(disturbed_.begin(), disturbed_.end(), false);
     for (int body = 0; body < static_cast<int>(world_.bodies().size()); ++body) {
         if (!held[body]) continue;
         const Cells::Bounds bounds = cells.bounds(body);
         for (int object = 0; object < static_cast<int>(states_.size()); ++object)
             if (states_[object].present) findOf(object, body, cells, bounds);
     }
+    findDisturbed();
     std::stable_sort(candidates_.begin(), candidates_.end(),
                      [](const Candidate& a, const Candidate& b) { return a.cell < b.cell; });
 }
@@ -100,6 +141,22 @@ void Objects::findOf(int index, int body, const Cells& cells, const Cells::Bound
         candidates_.push_back({cell, index});
         near_[body] = true;
         if (moves(index)) hit_[body] = true;
+        if (asleep_[index] && v.norm() > kStirringSpeed) disturbed_[index] = true;
+    }
+}
+
+/// Sleeping objects that one which moves may come to touch before the next search.
+void Objects::findDisturbed() {
+    const auto count = static_cast<int>(states_.size());
+    for (int sleeper = 0; sleeper < count; ++sleeper) {
+        if (!asleep_[sleeper]) continue;
+        const RoundedBox box = boxOf(world_.objects()[sleeper], states_[sleeper]);
+        for (int other = 0; other < count; ++other) {
+            if (!states_[other].present || still(other) || !moves(other)) continue;
+            const Touch touch = touchOf(box, boxOf(world_.objects()[other], states_[other]));
+            if (touch.gap <= 1.1 * kContactInterval * world_.step() * speed(other))
+                disturbed_[sleeper] = true;
+        }
     }
 }
 
@@ -131,6 +188,7 @@ void Objects::touchCell(const Candidate& candidate, const Cells& cells) {
     const Object& object = world_.objects()[candidate.object];
     const ObjectState& state = states_[candidate.object];
     const CellMotion motion = cells.motion(candidate.cell);
+    if (asleep_[candidate.object] && motion.still()) return;  // they sleep together
     const RoundedBox cell = motion.box(world_.bodies()[body].cellSize);
     Vec3 mean = Vec3::Zero();
     for (const Vec3& v : motion.velocity) mean += v / kCorners;
@@ -156,7 +214,7 @@ void Objects::touchCell(const Candidate& candidate, const Cells& cells) {
 void Objects::touchBarriers(int index) {
     const Object& object = world_.objects()[index];
     const ObjectState& state = states_[index];
-    if (object.inverseMass == 0) return;
+    if (still(index)) return;
     const std::vector<RoundedBox> corners = cornersOf(boxOf(object, state));
     for (const Barrier& barrier : barriers_)
         for (const RoundedBox& corner : corners) {
@@ -176,7 +234,7 @@ void Objects::touchBarriers(int index) {
 void Objects::touchObjects(int a, int b) {
     const Object &first = world_.objects()[a], &second = world_.objects()[b];
     const ObjectState &stateA = states_[a], &stateB = states_[b];
-    if (first.inverseMass == 0 && second.inverseMass == 0) return;
+    if (still(a) && still(b)) return;
     const RoundedBox boxA = boxOf(first, stateA), boxB = boxOf(second, stateB);
     const Vec3 closing = stateB.velocity - stateA.velocity;
     const auto between = [&](const RoundedBox& from, const RoundedBox& to) {
@@ -197,21 +255,28 @@ void Objects::touchObjects(int a, int b) {
     for (const RoundedBox& corner : cornersOf(boxB)) between(boxA, corner);
 }
 
+/// What an object gives way, with its share of the mass for each of its touches.
+Yield Objects::yield(int object, const Touch& touch) const {
+    if (still(object)) return {};
+    return yieldOf(world_.objects()[object], states_[object], touch) * objectTouches_[object];
+}
+
 void Objects::apply(const Active& active, Cells& cells) {
     const Touch& touch = active.touch;
-    const Object& object = world_.objects()[active.object];
-    const ObjectState& state = states_[active.object];
-    Yield yield = yieldOf(object, state, touch) * objectTouches_[active.object];
+    Yield yield = this->yield(active.object, touch);
     if (active.cell >= 0) yield += active.yield * cellTouches_[active.cell];
-    if (active.other >= 0)
-        yield += yieldOf(world_.objects()[active.other], states_[active.other], touch) *
-                 objectTouches_[active.other];
+    if (active.other >= 0) yield += this->yield(active.other, touch);
     if (yield.normal == 0) return;
     const Vec3 impulse = touchImpulse(touch, active.velocity, yield, active.restitution,
                                       active.friction, world_.step());
     const auto give = [&](int index, const Vec3& p) {
-        impulses_[index].linear += p;
-        impulses_[index].angular += (touch.point - states_[index].position).cross(p);
+        Impulse& given = impulses_[index];
+        given.sum.all += p;
+        if (active.cell >= 0)
+            given.sum.cells += p;
+        else
+            given.sum.others += p.norm();
+        given.angular += (touch.point - states_[index].position).cross(p);
     };
     give(active.object, -impulse);
     if (active.other >= 0) give(active.other, impulse);
@@ -221,36 +286,38 @@ void Objects::apply(const Active& active, Cells& cells) {
 }
 
 void Objects::move() {
+    for (int object = 0; object < static_cast<int>(states_.size()); ++object)
+        if (states_[object].present && !still(object)) move(object, impulses_[object]);
+}
+
+void Objects::move(int index, const Impulse& given) {
     const double h = world_.step();
-    for (std::size_t i = 0; i < states_.size(); ++i) {
-        ObjectState& state = states_[i];
-        const Object& object = world_.objects()[i];
-        if (!state.present || object.inverseMass == 0) continue;
-        const double kept = std::exp(-object.drag * h);
-        state.velocity = kept * state.velocity + h * world_.description().gravity +
-                         object.inverseMass * impulses_[i].linear;
-        state.angularMomentum = kept * state.angularMomentum + impulses_[i].angular;
-        Vec3 next = state.position + h * state.velocity;
-        if (object.chain > 0) {
-            const Vec3 along = next - object.hungFrom;
-            if (const double length = along.norm(); length > object.chain) {
-                const Vec3 outward = along / length;
-                state.velocity -= std::max(0.0, state.velocity.dot(outward)) * outward;
-                next = object.hungFrom + object.chain * outward;
-            }
+    ObjectState& state = states_[index];
+    const Object& object = world_.objects()[index];
+    ObjectUnrest& unrest = rests_[index].unrest;
+    TouchSum sum = given.sum;
+    const double kept = std::exp(-object.drag * h), share = loadShare(object, state);
+    state.velocity = kept * state.velocity +
+                     share * (h * world_.description().gravity + object.inverseMass * sum.all);
+    state.angularMomentum = kept * state.angularMomentum + share * given.angular;
+    Vec3 next = state.position + h * state.velocity;
+    if (object.chain > 0) {
+        const Vec3 along = next - object.hungFrom;
+        if (const double length = along.norm(); length > object.chain) {
+            const Vec3 outward = along / length;
+            const double taken = std::max(0.0, state.velocity.dot(outward));
+            state.velocity -= taken * outward;
+            next = object.hungFrom + object.chain * outward;
+            sum.all -= taken / (share * object.inverseMass) * outward;
+            sum.others += taken / (share * object.inverseMass);
+            unrest.hung = true;
         }
-        state.position = next;
-        // A turn by the spin in the middle of the step.
-        const auto turned = [&](const Vec3& spin, double time) {
-            const double angle = spin.norm() * time;
-            if (angle == 0) return state.orientation;
-            return Eigen::Quaterniond(Eigen::AngleAxisd(std::min(angle, 1.0), spin.normalized()) *
-                                      state.orientation);
-        };
-        ObjectState middle = state;
-        middle.orientation = turned(state.spin(object), h / 2);
-        state.orientation = turned(middle.spin(object), h).normalized();
     }
+    state.position = next;
+    state.orientation = turnedFreely(object, state, h);
+    state.load = loadAfter(state.load, sum, h, heaviest_);
+    unrest.fastest = std::max(unrest.fastest, speed(index));
+    unrest.touched |= objectTouches_[index] > 0;
 }
 
 }  // namespace sunder

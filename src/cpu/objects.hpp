@@ -4,7 +4,9 @@
 
 #include "core/incident_watch.hpp"
 #include "core/object_contact.hpp"
+#include "core/rest_islands.hpp"
 #include "core/room.hpp"
+#include "core/sleep.hpp"
 #include "core/world.hpp"
 
 namespace sunder {
@@ -31,20 +33,35 @@ class Objects {
     explicit Objects(const World& world);
 
     const std::vector<ObjectState>& states() const { return states_; }
+    /// All of them are awake.
     void set(const std::vector<ObjectState>& states);
+    void set(int object, const ObjectState& state);
     /// Gets to know what is pushed; null: nobody does.
     void setWatch(IncidentWatch* watch) { watch_ = watch; }
 
     /// Objects that step number `step` begins with are thrown.
     void startStep(std::int64_t step);
-    /// Finds the cells that objects may touch within kContactInterval steps. `held`: bodies to
-    /// look at.
+    /// Finds the cells that objects may touch within kContactInterval steps, and what disturbs
+    /// sleepers. `held`: bodies to look at.
     void search(const Cells& cells, const std::vector<bool>& held);
     bool searchDue() const { return searchDue_; }
     /// Whether the last search found something of the body.
     bool near(int body) const { return near_[body]; }
     /// Whether an object that moves may touch the body before the next search.
     bool hit(int body) const { return hit_[body]; }
+    /// Whether a cell or an object that moves may touch this sleeping object before the next
+    /// search.
+    bool disturbed(int object) const { return disturbed_[object]; }
+
+    /// Takes note of what each did since the last time, `steps` steps ago.
+    void look(int steps);
+    RestIslands::Status restStatus(int object) const;
+    bool asleep(int object) const { return asleep_[object]; }
+    void fallAsleep(int object);
+    void wake(int object);
+    /// Whether any moves, or may begin to.
+    bool anyAwake() const;
+
     /// Pushes cells and objects apart, for the step in progress.
     void push(Cells& cells);
     /// Moves the objects to the end of the step. Forces must be known: push().
@@ -65,7 +82,12 @@ class Objects {
         std::array<double, kCorners> weights;
     };
     struct Impulse {
-        Vec3 linear{0, 0, 0}, angular{0, 0, 0};
+        TouchSum sum;
+        Vec3 angular{0, 0, 0};  ///< N·m·s
+    };
+    struct Rest {
+        ObjectUnrest unrest;
+        int calmSteps = 0;
     };
 
     void findOf(int object, int body, const Cells& cells, const Cells::Bounds& bounds);
@@ -74,14 +96,26 @@ class Objects {
     void touchObjects(int a, int b);
     void add(Active active);
     void apply(const Active& active, Cells& cells);
-    bool moves(int object) const;
+    void findDisturbed();
+    void move(int object, const Impulse& given);
+    double speed(int object) const;
+    bool moves(int object) const { return speed(object) > kStirringSpeed; }
+    /// It does not yield: fixed, or asleep.
+    bool still(int object) const {
+        return world_.objects()[object].inverseMass == 0 || asleep_[object];
+    }
+    Yield yield(int object, const Touch& touch) const;
 
     const World& world_;
     std::vector<ContactProxy> proxies_;  ///< per body
     std::vector<Barrier> barriers_;
     std::vector<ObjectState> states_;
-    std::vector<Candidate> candidates_;  ///< by cell
-    std::vector<bool> near_, hit_;       ///< per body
+    std::vector<Candidate> candidates_;     ///< by cell
+    std::vector<bool> near_, hit_;          ///< per body
+    std::vector<bool> disturbed_, asleep_;  ///< per object
+    std::vector<Rest> rests_;
+    double heaviest_;  ///< kg, of everything together
+    int sleepSteps_;
     std::vector<Active> active_;
     std::vector<int> cellTouches_;    ///< N, per candidate's cell, 0 between steps
     std::vector<int> objectTouches_;  ///< K

@@ -8,12 +8,12 @@ namespace sunder::gpu {
 namespace {
 
 constexpr const char* kSamplers[kUnitCount] = {
-    "cells",        "bodies",     "rest",         "nodes",        "bonds",
-    "events",       "links",      "forces",       "stresses",     "cumulativeForces",
-    "strengths",    "rectangles", "chunks",       "records",      "spheres",
-    "regions",      "exposed",    "grid",         "partners",     "summaries",
-    "sphereForces", "objects",    "motion",       "touchCounts",  "impulses",
-    "knownBonds",   "pushes",     "pushesBefore", "pushesEarlier"};
+    "cells",        "bodies",     "rest",   "nodes",        "bonds",
+    "events",       "links",      "forces", "stresses",     "cumulativeForces",
+    "strengths",    "rectangles", "chunks", "records",      "spheres",
+    "regions",      "exposed",    "grid",   "partners",     "summaries",
+    "sphereForces", "objects",    "motion", "sleepers",     "touchCounts",
+    "impulses",     "knownBonds", "pushes", "pushesBefore", "pushesEarlier"};
 constexpr int kLawBinding = 0;
 
 }  // namespace

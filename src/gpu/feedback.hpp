@@ -31,6 +31,7 @@ enum Unit {
     kSphereForces,
     kObjects,
     kMotion,
+    kSleepers,
     kTouchCounts,
     kImpulses,
     kKnownBonds,

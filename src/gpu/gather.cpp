@@ -62,7 +62,8 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
           nodes_[0].program(world, "gather/still.frag", {{"NODES", "1"}, {"FIRST", "4"}})},
       bodies_(world.bodies().size(), BodyState::Awake),
       awake_(world.bodies().size(), "awake cells"),
-      monitor_(world, columns_) {
+      monitor_(world, columns_),
+      islands_(memberOfObject(world, static_cast<int>(world.objects().size()))) {
     if (breakable_) {
         const gl::Defines defines = breakDefines(world);
         stressProgram_ =
@@ -107,9 +108,10 @@ void GatherSolver::setState(const State& state) {
         incidents_->forget();
     }
     write({0, world_.cellCount()}, state);
+    islands_.wakeAll();
     showObjects(state);
     for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
-        if (holds(body)) wake(body);
+        if (holds(body)) changed(body);
     bodiesChanged();
     bindInputs();
     updateLinks();
@@ -118,8 +120,19 @@ void GatherSolver::setState(const State& state) {
 void GatherSolver::adopt(const std::vector<int>& bodies, const State& state) {
     const std::vector<TexelRange> cells = rangesOf(world_, bodies);
     for (const TexelRange& range : cells) write(range, state);
-    showObjects(state);
-    for (const int body : bodies) wake(body);
+    if (objects_) {
+        State now;
+        objects_->read(now);
+        for (int object = 0; object < objectCount(); ++object) {
+            if (now.objects[object] == state.objects[object]) continue;
+            wake(memberOfObject(world_, object));
+            objects_->put(object, state.objects[object], step_);
+        }
+    }
+    for (const int body : bodies) {
+        wake(memberOfBody(body));
+        changed(body);
+    }
     bodiesChanged();
     TexelRanges adopted(cells.size(), "adopted cells");
     adopted.set(cells, columns_);
@@ -130,7 +143,10 @@ void GatherSolver::adopt(const std::vector<int>& bodies, const State& state) {
 void GatherSolver::release(const std::vector<int>& bodies, State& state) {
     for (const TexelRange& range : rangesOf(world_, bodies)) read(range, state);
     if (objects_) objects_->read(state);
-    for (const int body : bodies) bodies_[body] = BodyState::Elsewhere;
+    for (const int body : bodies) {
+        wake(memberOfBody(body));
+        bodies_[body] = BodyState::Elsewhere;
+    }
     bodiesChanged();
 }
 
@@ -243,7 +259,7 @@ void GatherSolver::advance(int steps) {
 
 void GatherSolver::advanceOne(bool events, int stepInFrame) {
     if (step_ >= nextWake_) wakePushed();
-    if (objects_ && objects_->startStep(step_)) wakeThreatened();
+    if (objects_) startThrows();
     if (!moving()) return;
     stirred_ = true;
     if (step_ % monitor_.interval() == 0) watch();
@@ -290,7 +306,7 @@ void GatherSolver::addObjects() {
 }
 
 bool GatherSolver::moving() const {
-    return awake_.rectangles() > 0 || (objects_ && held_ && objects_->stirring());
+    return awake_.rectangles() > 0 || (objects_ && held_ && objects_->anyAwake());
 }
 
 /// Stresses live for one pass: in the node textures that this step is about to fill.
@@ -330,7 +346,7 @@ void GatherSolver::updateNodes(bool events, int stepInFrame) {
     gl::bindTexture(kNodes, GL_TEXTURE_2D_ARRAY, nodes_[currentNodes_].texture());
 }
 
-/// Looks for bodies that have come to rest, and for sleepers that something hits.
+/// Looks for bodies and objects that have come to rest, and for sleepers that something hits.
 void GatherSolver::watch() {
     RestMonitor::News news;
     {
@@ -340,18 +356,51 @@ void GatherSolver::watch() {
     }
     newNodeWatch_ = newBondWatch_ = true;
     droppedContacts_ = std::max(droppedContacts_, news.dropped);
-    std::erase_if(news.calm, [&](int body) { return bodies_[body] != BodyState::Awake; });
-    if (!news.calm.empty()) fallAsleep(news.calm);
-    std::erase_if(news.hit, [&](int body) { return bodies_[body] != BodyState::Asleep; });
-    for (const int body : news.hit) wake(body);
+    if (objects_) objects_->look(step_, monitor_.interval());
+    rest();
+    for (const int body : news.hit) wake(memberOfBody(body));
+    if (objects_) wakeThreatened();
     if (!news.hit.empty()) bodiesChanged();
-    if (objects_) {
-        objects_->look(step_);
-        wakeThreatened();
-    }
 }
 
-void GatherSolver::wake(int body) {
+void GatherSolver::rest() {
+    using Status = RestIslands::Status;
+    std::vector<Status> status;
+    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
+        status.push_back(!holds(body)           ? Status::Apart
+                         : asleep(body)         ? Status::Asleep
+                         : monitor_.ready(body) ? Status::Ready
+                                                : Status::Restless);
+    for (int object = 0; object < objectCount(); ++object)
+        status.push_back(objects_->restStatus(object));
+    if (std::count(status.begin(), status.end(), Status::Ready) == 0) return;
+    std::vector<RestBox> boxes;
+    for (const RestMonitor::Chunk& chunk : monitor_.chunks())
+        if (status[chunk.box.member] != Status::Apart) boxes.push_back(chunk.box);
+    for (int object = 0; object < objectCount(); ++object)
+        if (status[memberOfObject(world_, object)] != Status::Apart)
+            boxes.push_back(restBoxOf(world_, object, objects_->known()[object]));
+    const auto touches = restTouches(world_, std::move(boxes),
+                                     objects_ ? objects_->known() : std::vector<ObjectState>{});
+    std::vector<int> bodies, objects;
+    for (const int member : islands_.settle(status, touches))
+        if (const int object = member - memberOfObject(world_, 0); object >= 0)
+            objects.push_back(object);
+        else
+            bodies.push_back(member);
+    if (!objects.empty()) objects_->setAsleep(objects, true, step_);
+    if (!bodies.empty()) fallAsleep(bodies);
+}
+
+void GatherSolver::wake(int member) {
+    for (const int woken : islands_.wake(member))
+        if (const int object = woken - memberOfObject(world_, 0); object >= 0)
+            objects_->setAsleep({object}, false, step_);
+        else
+            changed(woken);
+}
+
+void GatherSolver::changed(int body) {
     bodies_[body] = BodyState::Awake;
     monitor_.disturb(body, step_);
 }
@@ -376,18 +425,41 @@ void GatherSolver::fallAsleep(const std::vector<int>& calm) {
     bodiesChanged();
 }
 
-void GatherSolver::wakePushed() {
-    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
-        if (bodies_[body] == BodyState::Asleep && pushedWithin(world_, body, step_, step_ + 1))
-            wake(body);
+void GatherSolver::startThrows() {
+    bool any = false;
+    for (const Throw& thrown : world_.throws()) {
+        if (thrown.step != step_) continue;
+        wake(memberOfObject(world_, thrown.object));
+        objects_->put(thrown.object, thrown.state, step_);
+        any = true;
+    }
+    if (!any) return;
+    wakeThreatened();
     bodiesChanged();
 }
 
+void GatherSolver::wakePushed() {
+    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
+        if (asleep(body) && pushedWithin(world_, body, step_, step_ + 1)) wake(memberOfBody(body));
+    bodiesChanged();
+}
+
+/// What sleeps where something that moves may come before the next look.
 void GatherSolver::wakeThreatened() {
     bool any = false;
     for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
-        if (bodies_[body] != BodyState::Asleep || !objects_->threatens(body)) continue;
-        wake(body);
+        if (!asleep(body) || !objects_->threatens(body)) continue;
+        wake(memberOfBody(body));
+        any = true;
+    }
+    for (int object = 0; object < objectCount(); ++object) {
+        if (!objects_->asleep(object)) continue;
+        bool threatened = objects_->threatensObject(object);
+        for (const RestMonitor::Chunk& chunk : monitor_.chunks())
+            threatened |= bodies_[chunk.box.member] == BodyState::Awake &&
+                          objects_->threatenedBy(object, chunk.box, chunk.fastest);
+        if (!threatened) continue;
+        wake(memberOfObject(world_, object));
         any = true;
     }
     if (any) bodiesChanged();

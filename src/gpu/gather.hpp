@@ -37,6 +37,7 @@ class GatherSolver : public GpuSolver, public BodyHost {
     State state() const override;
     void setState(const State& state) override;
     bool asleep(int body) const override { return bodies_[body] == BodyState::Asleep; }
+    bool objectAsleep(int object) const override { return objects_ && objects_->asleep(object); }
     StateView view() override;
     void setIncidents(IncidentRing* ring) override;
 
@@ -70,10 +71,17 @@ class GatherSolver : public GpuSolver, public BodyHost {
     void write(TexelRange cells, const State& state);
     void read(TexelRange cells, State& state) const;
     void watch();
+    /// Lets islands fall asleep all of which have been calm for long enough.
+    void rest();
     void fallAsleep(const std::vector<int>& bodies);
+    void startThrows();
     void wakePushed();
     void wakeThreatened();
-    void wake(int body);
+    /// Wakes a body or an object and what sleeps with it (core/rest_islands.hpp).
+    void wake(int member);
+    /// A body's state is another one.
+    void changed(int body);
+    int objectCount() const { return static_cast<int>(world_.objects().size()); }
     void bodiesChanged();
     void addContacts();
     void addObjects();
@@ -113,6 +121,7 @@ class GatherSolver : public GpuSolver, public BodyHost {
     std::optional<IncidentPass> incidents_;
     bool stirred_ = false;  ///< something has moved since the last look for incidents
     RestMonitor monitor_;
+    RestIslands islands_;
     bool newNodeWatch_ = true, newBondWatch_ = true;  ///< no step, no update since the last look
     std::int64_t nextWake_ = 0;  ///< no event acts on a sleeping body before this step
 };

@@ -1,9 +1,10 @@
 #include "gpu/object_pass.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/contact.hpp"
-#include "core/sleep.hpp"
+#include "core/object_contact.hpp"
 #include "gpu/feedback.hpp"
 #include "gpu/layout.hpp"
 
@@ -20,14 +21,40 @@ void addBlending() {
     glBlendFunc(GL_ONE, GL_ONE);
 }
 
-std::array<vec4, SUNDER_OBJECT_LAYERS> texelsOf(const ObjectState& state) {
+std::array<vec4, SUNDER_OBJECT_LAYERS> texelsOf(const Object& object, const ObjectState& state) {
+    const double spinEnergy = 0.5 * state.angularMomentum.dot(state.spin(object));
     return {toVec4(state.position, state.present ? 1 : 0),
             toVec4(state.orientation.vec(), state.orientation.w()), toVec4(state.velocity, 0),
-            toVec4(state.angularMomentum, 0)};
+            toVec4(state.angularMomentum, spinEnergy), toVec4({state.load, 0, 0}, 0)};
 }
 
 Vec3 toVec3(const vec4& v) {
     return {v.x, v.y, v.z};
+}
+
+/// `layer(i)`: the object's texel in layer i.
+template <class Layer>
+ObjectState stateOf(const Layer& layer) {
+    ObjectState state;
+    state.present = layer(0).w > 0;
+    state.position = toVec3(layer(0));
+    state.orientation = Eigen::Quaterniond(layer(1).w, layer(1).x, layer(1).y, layer(1).z);
+    state.velocity = toVec3(layer(2));
+    state.angularMomentum = toVec3(layer(3));
+    state.load = layer(4).x;
+    return state;
+}
+
+/// What has broken off a body that sleeps lies around it.
+RestBox wideBoxOf(const Body& body) {
+    const Vec3 size = body.cellSize.cwiseProduct(body.cells.cast<double>());
+    const Vec3 around = Vec3::Constant(0.5 * size.norm());
+    return {0, body.origin - around, body.origin + size + around};
+}
+
+/// m, from a point to a box.
+double distanceTo(const RestBox& box, const Vec3& x) {
+    return (x - x.cwiseMax(box.low).cwiseMin(box.high)).norm();
 }
 
 }  // namespace
@@ -48,7 +75,13 @@ ObjectPass::ObjectPass(const World& world, const WorldBuffers& buffers,
             nullptr, GL_DYNAMIC_COPY, "cells near objects"),
       capture_(gl::makeTransformFeedback()),
       pairs_(gl::makeVertexArray()),
-      noAttributes_(gl::makeVertexArray()) {
+      noAttributes_(gl::makeVertexArray()),
+      rests_(static_cast<std::size_t>(count_)),
+      asleep_(static_cast<std::size_t>(count_), false),
+      sleepers_(sizeof(float) * static_cast<std::size_t>(count_), nullptr, GL_DYNAMIC_DRAW,
+                "sleeping objects"),
+      sleepersTexture_(gl::makeBufferTexture(sleepers_, GL_R32F, "sleeping objects")),
+      sleepSteps_(sleepSteps(world)) {
     const gl::Defines nodes = {{"BUFFERS", storage == ContactPass::Storage::Buffers ? "1" : "0"}};
     searchProgram_ = gl::Program({.vertex = "objects/search.vert",
                                   .geometry = "objects/search.geom",
@@ -69,6 +102,8 @@ ObjectPass::ObjectPass(const World& world, const WorldBuffers& buffers,
     glUniform3f(moveProgram_.uniform("gravity"), static_cast<float>(world.description().gravity[0]),
                 static_cast<float>(world.description().gravity[1]),
                 static_cast<float>(world.description().gravity[2]));
+    glUniform1f(moveProgram_.uniform("heaviest"), static_cast<float>(massOf(world)));
+    newWatchUniform_ = moveProgram_.uniform("newWatch");
 
     glBindVertexArray(pairs_.id());
     glBindBuffer(GL_ARRAY_BUFFER, list_.id());
@@ -78,8 +113,8 @@ ObjectPass::ObjectPass(const World& world, const WorldBuffers& buffers,
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, list_.id());
     glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
     for (Answer& answer : answers_)
-        answer.texels = gl::Buffer(kLooked.size() * touches_.layerBytes(), nullptr, GL_STREAM_READ,
-                                   "where objects are");
+        answer.texels = gl::Buffer(SUNDER_OBJECT_LAYERS * touches_.layerBytes(), nullptr,
+                                   GL_STREAM_READ, "where objects are");
 }
 
 gl::Program ObjectPass::pairProgram(const char* what, const char* geometry, const char* fragment,
@@ -116,27 +151,24 @@ void ObjectPass::set(const State& state) {
     known_ = state.objects;
     std::vector<vec4> texels(static_cast<std::size_t>(count_));
     for (int layer = 0; layer < SUNDER_OBJECT_LAYERS; ++layer) {
-        for (int i = 0; i < count_; ++i) texels[i] = texelsOf(state.objects[i])[layer];
+        for (int i = 0; i < count_; ++i)
+            texels[i] = texelsOf(world_.objects()[i], state.objects[i])[layer];
         motion_[current_].write(layer, 0, texels);
     }
     for (Answer& answer : answers_) answer.step = -1;
-    searchDue_ = true;
+    std::fill(rests_.begin(), rests_.end(), Rest{});
+    std::fill(asleep_.begin(), asleep_.end(), false);
+    writeSleepers();
+    searchDue_ = newWatch_ = true;
 }
 
 void ObjectPass::read(State& state) const {
     std::array<std::vector<vec4>, SUNDER_OBJECT_LAYERS> layers;
     for (int layer = 0; layer < SUNDER_OBJECT_LAYERS; ++layer)
         layers[layer] = motion_[current_].read(layer, {0, count_});
-    state.objects.resize(static_cast<std::size_t>(count_));
-    for (int i = 0; i < count_; ++i) {
-        ObjectState& object = state.objects[i];
-        object.present = layers[0][i].w > 0;
-        object.position = toVec3(layers[0][i]);
-        object.orientation =
-            Eigen::Quaterniond(layers[1][i].w, layers[1][i].x, layers[1][i].y, layers[1][i].z);
-        object.velocity = toVec3(layers[2][i]);
-        object.angularMomentum = toVec3(layers[3][i]);
-    }
+    state.objects.clear();
+    for (int i = 0; i < count_; ++i)
+        state.objects.push_back(stateOf([&](int layer) { return layers[layer][i]; }));
 }
 
 const gl::Texture& ObjectPass::places() {
@@ -145,23 +177,20 @@ const gl::Texture& ObjectPass::places() {
     return *places_.texture();
 }
 
-bool ObjectPass::startStep(std::int64_t step) {
-    bool any = false;
-    for (const Throw& thrown : world_.throws()) {
-        if (thrown.step != step) continue;
-        const auto texels = texelsOf(thrown.state);
-        bind();  // writing unbinds the texture of the active unit: let it be this one
-        for (int layer = 0; layer < SUNDER_OBJECT_LAYERS; ++layer)
-            motion_[current_].write(layer, thrown.object, {&texels[layer], 1});
-        known_[thrown.object] = thrown.state;
-        thrown_ = step;
-        searchDue_ = any = true;
-    }
-    return any;
+void ObjectPass::put(int object, const ObjectState& state, std::int64_t step) {
+    const auto texels = texelsOf(world_.objects()[object], state);
+    bind();  // writing unbinds the texture of the active unit: let it be this one
+    for (int layer = 0; layer < SUNDER_OBJECT_LAYERS; ++layer)
+        motion_[current_].write(layer, object, {&texels[layer], 1});
+    known_[object] = state;
+    setAsleep({object}, false, step);
+    changed_ = step;
+    searchDue_ = true;
 }
 
 void ObjectPass::bind() const {
     gl::bindTexture(kObjects, GL_TEXTURE_BUFFER, buffers_.objects());
+    gl::bindTexture(kSleepers, GL_TEXTURE_BUFFER, sleepersTexture_);
     gl::bindTexture(kMotion, GL_TEXTURE_2D_ARRAY, motion_[current_].texture());
 }
 
@@ -222,62 +251,110 @@ void ObjectPass::drawForces() const {
 void ObjectPass::move() {
     current_ = 1 - current_;
     motion_[current_].bind();
+    moveProgram_.use();
+    glUniform1i(newWatchUniform_, std::exchange(newWatch_, false));
     drawObjects(moveProgram_);
 }
 
-void ObjectPass::look(std::int64_t step) {
+void ObjectPass::look(std::int64_t step, int steps) {
     Answer& answer = answers_[next_];
     next_ = (next_ + 1) % kLag;
-    if (answer.step >= thrown_) {  // an older one does not know of the throw
+    if (answer.step >= changed_) {  // an older one does not know of it
         answer.done.wait();
         std::vector<vec4> texels(answer.texels.size() / sizeof(vec4));
         answer.texels.read(0, answer.texels.size(), texels.data());
-        for (int i = 0; i < count_; ++i) {
-            known_[i].present = texels[i].w > 0;
-            known_[i].position = toVec3(texels[i]);
-            known_[i].velocity = toVec3(texels[count_ + i]);
-            known_[i].angularMomentum = toVec3(texels[2 * count_ + i]);
-        }
+        take(texels, answer.step - steps, steps);
     }
-    std::size_t offset = 0;
-    for (const int layer : kLooked) {
-        motion_[current_].copy(layer, answer.texels, offset);
-        offset += motion_[current_].layerBytes();
-    }
+    for (int layer = 0; layer < SUNDER_OBJECT_LAYERS; ++layer)
+        motion_[current_].copy(layer, answer.texels, layer * motion_[current_].layerBytes());
     answer.done = gl::Fence::insert();
     answer.step = step;
+    newWatch_ = true;
+}
+
+/// texels: what the `steps` steps from `since` on came to.
+void ObjectPass::take(const std::vector<vec4>& texels, std::int64_t since, int steps) {
+    for (int i = 0; i < count_; ++i) {
+        const auto layer = [&](int number) { return texels[number * count_ + i]; };
+        known_[i] = stateOf(layer);
+        const int had = static_cast<int>(layer(4).z);
+        const ObjectUnrest unrest{layer(4).y, (had & SUNDER_TOUCHED) != 0,
+                                  (had & SUNDER_HUNG) != 0};
+        Rest& rest = rests_[i];
+        rest.calmSteps = rest.disturbed <= since && calm(unrest) ? rest.calmSteps + steps : 0;
+    }
+}
+
+RestIslands::Status ObjectPass::restStatus(int object) const {
+    using Status = RestIslands::Status;
+    if (!known_[object].present || world_.objects()[object].inverseMass == 0) return Status::Apart;
+    if (asleep_[object]) return Status::Asleep;
+    return rests_[object].calmSteps >= sleepSteps_ ? Status::Ready : Status::Restless;
+}
+
+void ObjectPass::setAsleep(const std::vector<int>& objects, bool asleep, std::int64_t step) {
+    constexpr vec4 zero(0);
+    for (const int object : objects) {
+        asleep_[object] = asleep;
+        rests_[object] = {0, step};
+        if (!asleep) continue;
+        known_[object].velocity.setZero();
+        known_[object].angularMomentum.setZero();
+        bind();
+        for (const int layer : {2, 3}) motion_[current_].write(layer, object, {&zero, 1});
+    }
+    writeSleepers();
+}
+
+void ObjectPass::writeSleepers() {
+    std::vector<float> flags;
+    for (const bool asleep : asleep_) flags.push_back(asleep ? 1.f : 0.f);
+    sleepers_.write(0, sizeof(float) * flags.size(), flags.data());
 }
 
 double ObjectPass::speedOf(int index) const {
     const Object& object = world_.objects()[index];
-    const double spin =
-        known_[index].angularMomentum.norm() * object.inverseInertia.maxCoeff();  // at most
-    return known_[index].velocity.norm() + spin * object.reach();
+    return known_[index].velocity.norm() + known_[index].spin(object).norm() * object.reach();
 }
 
-bool ObjectPass::stirring() const {
+bool ObjectPass::anyAwake() const {
     for (int i = 0; i < count_; ++i)
-        if (present(i) && speedOf(i) > kStirringSpeed) return true;
+        if (known_[i].present && world_.objects()[i].inverseMass > 0 && !asleep_[i]) return true;
     return false;
 }
 
-bool ObjectPass::threatens(int index) const {
-    const Body& body = world_.bodies()[index];
-    const Vec3 size = body.cellSize.cwiseProduct(body.cells.cast<double>());
-    // What has broken off a body that sleeps lies around it.
-    const Vec3 around = Vec3::Constant(0.5 * size.norm());
-    const Vec3 low = body.origin - around, high = body.origin + size + around;
+bool ObjectPass::stirs(int object) const {
+    return known_[object].present && !asleep_[object] && speedOf(object) > kStirringSpeed;
+}
+
+double ObjectPass::reachOf(int object) const {
     // Two looks ago, and until the next one.
-    const double time = (kLag + 1) / 60.0;
-    for (int i = 0; i < count_; ++i) {
-        const double speed = speedOf(i);
-        if (!present(i) || speed <= kStirringSpeed) continue;
-        const double reach = world_.objects()[i].reach() +
-                             (speed + world_.description().gravity.norm() * time) * time;
-        const Vec3 nearest = known_[i].position.cwiseMax(low).cwiseMin(high);
-        if ((known_[i].position - nearest).norm() < reach) return true;
-    }
+    constexpr double time = (kLag + 1) / 60.0;
+    const double fall = world_.description().gravity.norm() * time;
+    return world_.objects()[object].reach() + (known_[object].velocity.norm() + fall) * time;
+}
+
+bool ObjectPass::threatens(int body) const {
+    const RestBox box = wideBoxOf(world_.bodies()[body]);
+    for (int i = 0; i < count_; ++i)
+        if (stirs(i) && distanceTo(box, known_[i].position) < reachOf(i)) return true;
     return false;
+}
+
+bool ObjectPass::threatensObject(int object) const {
+    for (int i = 0; i < count_; ++i)
+        if (i != object && stirs(i) &&
+            (known_[i].position - known_[object].position).norm() <
+                reachOf(i) + world_.objects()[object].reach())
+            return true;
+    return false;
+}
+
+bool ObjectPass::threatenedBy(int object, const RestBox& box, double speed) const {
+    if (speed <= kStirringSpeed) return false;
+    const double time = (kLag + 1) / 60.0, fall = world_.description().gravity.norm() * time;
+    return distanceTo(box, known_[object].position) <
+           world_.objects()[object].reach() + (speed + fall) * time;
 }
 
 }  // namespace sunder::gpu

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "core/rest_islands.hpp"
+#include "core/sleep.hpp"
 #include "core/world.hpp"
 #include "gl/fence.hpp"
 #include "gpu/contact_pass.hpp"
@@ -18,7 +20,7 @@ namespace sunder::gpu {
 /// step the list is drawn three times as points: into a texel per object that counts its touches,
 /// one that sums up what it gets, and the forces on the cells; blending adds in the order of the
 /// list, so a run repeats itself to the bit. Then a fragment per object moves it. Nothing is read
-/// back within a frame; where objects are is known to the CPU two looks later.
+/// back within a frame; where objects are and how calm is known to the CPU two looks later.
 class ObjectPass {
   public:
     /// Where the solver keeps its nodes: glsl/contact/storage.glsl. Forces are drawn into a texel
@@ -33,8 +35,8 @@ class ObjectPass {
     /// For drawing, as they are now: StateView::objects.
     const gl::Texture& places();
 
-    /// Objects that step number `step` begins with are thrown. Returns whether any was.
-    bool startStep(std::int64_t step);
+    /// Puts an object somewhere as step number `step` begins; it is awake.
+    void put(int object, const ObjectState& state, std::int64_t step);
     /// cells: those that can be touched, from the next search on.
     void setCells(std::span<const TexelRange> cells);
     /// Finds what may touch, where that is due, and works out the impulses on objects. Nodes, links
@@ -49,12 +51,22 @@ class ObjectPass {
     /// Moves the objects to the end of the step.
     void move();
 
-    /// Asks where the objects are and takes the answer of the look before last.
-    void look(std::int64_t step);
-    /// Whether any object moves, as far as is known.
-    bool stirring() const;
-    /// Whether one that moves may come to touch the body before the next look.
+    /// Asks where the objects are and what they did in the `steps` steps before `step`, and takes
+    /// the answer of the look before last.
+    void look(std::int64_t step, int steps);
+    /// As far as is known.
+    const std::vector<ObjectState>& known() const { return known_; }
+    RestIslands::Status restStatus(int object) const;
+    bool asleep(int object) const { return asleep_[object]; }
+    void setAsleep(const std::vector<int>& objects, bool asleep, std::int64_t step);
+    /// Whether any object moves, or may begin to.
+    bool anyAwake() const;
+    /// Whether one that moves may come to touch the body, or the object that sleeps, before the
+    /// next look.
     bool threatens(int body) const;
+    bool threatensObject(int object) const;
+    /// Whether cells in the box, none faster than `speed` m/s, may.
+    bool threatenedBy(int object, const RestBox& box, double speed) const;
 
   private:
     struct Answer {
@@ -62,8 +74,11 @@ class ObjectPass {
         gl::Buffer texels;
         gl::Fence done;
     };
-    static constexpr int kLag = 2;                    ///< looks
-    static constexpr std::array kLooked = {0, 2, 3};  ///< layers of ObjectMotion
+    static constexpr int kLag = 2;  ///< looks
+    struct Rest {
+        int calmSteps = 0;
+        std::int64_t disturbed = 0;  ///< step
+    };
 
     gl::Program pairProgram(const char* what, const char* geometry, const char* fragment,
                             int columns, int rows) const;
@@ -71,8 +86,13 @@ class ObjectPass {
     void bind() const;
     void search();
     void drawObjects(const gl::Program& program) const;
+    void take(const std::vector<vec4>& texels, std::int64_t since, int steps);
     double speedOf(int object) const;
-    bool present(int object) const { return known_[object].present; }
+    /// It is there, moves, and is awake.
+    bool stirs(int object) const;
+    /// m, how far it may come before the next look.
+    double reachOf(int object) const;
+    void writeSleepers();
 
     const World& world_;
     const WorldBuffers& buffers_;
@@ -93,7 +113,14 @@ class ObjectPass {
     std::array<Answer, kLag> answers_;
     int next_ = 0;
     std::vector<ObjectState> known_;  ///< what the CPU knows of them
-    std::int64_t thrown_ = 0;         ///< step of the last throw
+    std::int64_t changed_ = 0;        ///< step at which one was put somewhere
+    std::vector<Rest> rests_;
+    std::vector<bool> asleep_;
+    gl::Buffer sleepers_;  ///< a float per object
+    gl::Texture sleepersTexture_;
+    GLint newWatchUniform_ = -1;
+    bool newWatch_ = true;
+    int sleepSteps_;
 };
 
 }  // namespace sunder::gpu

@@ -10,7 +10,7 @@
 namespace sunder::gpu {
 namespace {
 
-constexpr int kCellsPerChunk = 16;
+constexpr int kCellsPerChunk = kCellsPerRestBox;
 
 /// First cell and number of cells of every chunk; a chunk lies within one body.
 std::vector<GLuint> chunksOf(const World& world) {
@@ -40,23 +40,25 @@ RestMonitor::RestMonitor(const World& world, int columns)
     : world_(world),
       interval_(stepsPerLook(world)),
       sleepSteps_(sleepSteps(world)),
+      layers_(world.description().contact ? 3 : 1),
       all_(1, "chunk ranges"),
       chunkBuffer_(gl::makeBuffer<GLuint>(chunksOf(world), GL_STATIC_DRAW, "chunks")),
       chunkTexture_(gl::makeBufferTexture(chunkBuffer_, GL_RG32UI, "chunks")),
-      unrest_(countChunks(world), columns, 1, "unrest"),
+      unrest_(countChunks(world), columns, layers_, "unrest"),
       program_(unrest_.program(world, "gather/rest.frag",
                                {{"CONTACT", world.description().contact ? "1" : "0"}})) {
     int chunk = 0;
     for (const sunder::Body& body : world.bodies()) {
-        const auto calm = static_cast<float>(calmSpeed(body)),
-                   creep = static_cast<float>(creepSpeed(body));
+        const auto calm = static_cast<float>(calmSpeed(world, body)),
+                   creep = static_cast<float>(creepSpeed(world, body));
         bodies_.push_back({{chunk, chunk + countChunks(body)}, calm * calm, creep * creep});
         chunk = bodies_.back().chunks.end;
     }
     const TexelRange every{0, chunk};
     all_.set({&every, 1}, columns);
     for (Answer& answer : answers_)
-        answer.texels = gl::Buffer(unrest_.layerBytes(), nullptr, GL_STREAM_READ, "unrest");
+        answer.texels = gl::Buffer(static_cast<std::size_t>(layers_) * unrest_.layerBytes(),
+                                   nullptr, GL_STREAM_READ, "unrest");
 }
 
 void RestMonitor::disturb(int body, std::int64_t step) {
@@ -76,7 +78,8 @@ RestMonitor::News RestMonitor::look(std::int64_t step) {
 void RestMonitor::ask(Answer& answer, std::int64_t step) {
     gl::bindTexture(kChunks, GL_TEXTURE_BUFFER, chunkTexture_);
     unrest_.fill(program_, all_);
-    unrest_.copy(0, answer.texels);
+    for (int layer = 0; layer < layers_; ++layer)
+        unrest_.copy(layer, answer.texels, static_cast<std::size_t>(layer) * unrest_.layerBytes());
     answer.done = gl::Fence::insert();
     answer.step = step;
 }
@@ -101,9 +104,26 @@ RestMonitor::News RestMonitor::take(const Answer& answer, std::int64_t now) {
         const bool quiet = body.disturbed <= since && !pushedWithin(world_, index, since, now) &&
                            all.x < limit && all.y == 0;
         body.calmSteps = quiet ? body.calmSteps + interval_ : 0;
-        if (body.calmSteps >= sleepSteps_) news.calm.push_back(index);
     }
+    takeChunks(unrest);
     return news;
+}
+
+void RestMonitor::takeChunks(const std::vector<vec4>& unrest) {
+    known_.clear();
+    if (layers_ == 1) return;
+    const std::size_t layer = unrest_.layerTexels();
+    for (int index = 0; index < static_cast<int>(bodies_.size()); ++index) {
+        const double reach = restReach(world_.bodies()[index]);
+        for (int chunk = bodies_[index].chunks.first; chunk < bodies_[index].chunks.end; ++chunk) {
+            const vec4 &low = unrest[layer + chunk], &high = unrest[2 * layer + chunk];
+            if (low.x > high.x) continue;  // all its cells are absent
+            known_.push_back(
+                {{memberOfBody(index), Vec3(low.x - reach, low.y - reach, low.z - reach),
+                  Vec3(high.x + reach, high.y + reach, high.z + reach)},
+                 std::sqrt(unrest[chunk].x)});
+        }
+    }
 }
 
 }  // namespace sunder::gpu

@@ -3,15 +3,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/rest_islands.hpp"
 #include "core/world.hpp"
 #include "gl/fence.hpp"
 #include "gpu/texel_target.hpp"
 
 namespace sunder::gpu {
 
-/// Finds out which bodies are calm (core/sleep.hpp) without holding up a frame: a pass sums up what
-/// chunks of cells did, and its result is read two looks later. When a body falls asleep depends on
-/// the number of the step alone, so a run repeats itself to the bit.
+/// Finds out which bodies are calm (core/sleep.hpp), and with contact where they are, without
+/// holding up a frame: a pass sums up what chunks of cells did, and its result is read two looks
+/// later. What it says depends on the number of the step alone, so a run repeats itself to the bit.
 class RestMonitor {
   public:
     /// columns: of the textures that nodes and bonds lie in.
@@ -21,9 +22,14 @@ class RestMonitor {
     int interval() const { return interval_; }
     /// What a look has found out.
     struct News {
-        std::vector<int> calm;     ///< bodies that have been calm for long enough
         std::vector<int> hit;      ///< bodies that a cell of another one hits
         std::int64_t dropped = 0;  ///< contacts that found no room, at the last search
+    };
+    /// A few cells of a body: where they were at the look before last, and the speed that none of
+    /// their nodes was above since the one before that, m/s.
+    struct Chunk {
+        RestBox box;
+        double fastest;
     };
     /// Takes the answer of the look before last and asks the GPU about the `interval()` steps
     /// before `step`; the textures of nodes, bonds and, with contact, summaries must be bound to
@@ -32,6 +38,10 @@ class RestMonitor {
     News look(std::int64_t step);
     /// A body is changed from outside at `step`: what it did before no longer counts.
     void disturb(int body, std::int64_t step);
+    /// Whether it has been calm for long enough to sleep.
+    bool ready(int body) const { return bodies_[body].calmSteps >= sleepSteps_; }
+    /// With contact, of all bodies, those with cells.
+    const std::vector<Chunk>& chunks() const { return known_; }
 
   private:
     static constexpr int kLag = 2;  ///< looks
@@ -48,10 +58,12 @@ class RestMonitor {
     };
 
     void ask(Answer& answer, std::int64_t step);
+    void takeChunks(const std::vector<vec4>& unrest);
     News take(const Answer& answer, std::int64_t now);
 
     const World& world_;
     int interval_, sleepSteps_;
+    int layers_;  ///< of what a chunk says
     std::vector<Body> bodies_;
     TexelRanges all_;
     gl::Buffer chunkBuffer_;
@@ -60,6 +72,7 @@ class RestMonitor {
     gl::Program program_;
     std::array<Answer, kLag> answers_;
     int next_ = 0;
+    std::vector<Chunk> known_;
 };
 
 }  // namespace sunder::gpu

@@ -263,7 +263,8 @@ void ScatterSolver::addContacts() {
 
 void ScatterSolver::addObjects() {
     const TimedPass timed(passTimer_, "objects");
-    objects_->startStep(step_);
+    for (const Throw& thrown : world_.throws())
+        if (thrown.step == step_) objects_->put(thrown.object, thrown.state, step_);
     objects_->push(step_);
     glBindFramebuffer(GL_FRAMEBUFFER, elementTarget_.id());
     glViewport(0, 0, width_, height_);

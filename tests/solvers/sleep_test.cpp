@@ -1,8 +1,13 @@
 // Bodies at rest sleep, on the solvers that let them (core/sleep.hpp).
 #include "core/sleep.hpp"
+
+#include <cmath>
+
 #include "catch.hpp"
 #include "core/body_host.hpp"
 #include "core/diagnostics.hpp"
+#include "core/rest_islands.hpp"
+#include "cpu/reference.hpp"
 #include "support/solver_under_test.hpp"
 #include "support/worlds.hpp"
 
@@ -103,4 +108,212 @@ TEST_CASE("a falling body does not fall asleep") {
             CHECK(!solver->asleep(0));
         }
     }
+}
+
+namespace {
+
+ObjectDescription movable(ObjectShape shape, const Vec3& halfSize, double mass,
+                          const Vec3& position, const Vec3& velocity = Vec3::Zero()) {
+    ObjectDescription object;
+    object.name = "object";
+    object.shape = shape;
+    object.halfSize = halfSize;
+    object.mass = mass;
+    object.position = position;
+    object.velocity = velocity;
+    return object;
+}
+
+ThrowDescription thrownAway(int object, double time) {
+    return {time, object, {50, 1, 0}, {1, 0, 0}, {0, 0, 0}};
+}
+
+/// A block, calm from the start, on the ground, and gravity.
+WorldDescription grounded(const IVec3& cells) {
+    Material material = softElastic();
+    material.youngModulus = 1e9;  // as stiff as the step allows
+    material.damping = 5;
+    WorldDescription d = block(cells, material);
+    d.gravity = {0, -9.81, 0};
+    d.ground = d.contact = true;
+    return d;
+}
+
+}  // namespace
+
+TEST_CASE("nothing stops in the air for being slow a moment") {
+    WorldDescription d = grounded({1, 1, 1});  // it sleeps long before
+    d.bodies[0].position = {30, 0, 0};
+    d.objects = {movable(ObjectShape::Sphere, {0.1, 0.1, 0.1}, 1, {0, 1, 0}, {0, 12, 0}),
+                 // A swing of 2.5 cm, slower than kStirringSpeed for most of the time.
+                 movable(ObjectShape::Sphere, {0.1, 0.1, 0.1}, 1, {5.025, 2, 0}),
+                 // One of 60 degrees.
+                 movable(ObjectShape::Sphere, {0.1, 0.1, 0.1}, 1,
+                         {10 + 2 * std::sin(1.047), 4 - 2 * std::cos(1.047), 0}),
+                 // Floats past, slower than what sleeps on the ground may be.
+                 movable(ObjectShape::Sphere, {0.1, 0.1, 0.1}, 1, {15, 0.0999, 0}, {0, 2, 0})};
+    d.objects[1].hungFrom = Vec3(5, 6, 0);
+    d.objects[2].hungFrom = Vec3(10, 4, 0);
+    for (ObjectDescription& object : d.objects) object.drag = 0;
+    d.objects[3].restitution = 0.9;
+    const World world(d);
+    ReferenceSolver reference(world);
+    const int steps[] = {3672, 900, 1500};  // 1.224 s: the top of the flight
+    std::vector<State> expected;
+    for (const int some : steps) {
+        reference.advance(some);
+        expected.push_back(reference.state());
+    }
+    CHECK(std::abs(expected[0].objects[0].velocity[1]) < 0.05);
+    for (const SolverUnderTest& under : sleepers()) {
+        INFO(under.name);
+        const auto solver = under.make(world);
+        for (std::size_t i = 0; i < std::size(steps); ++i) {
+            solver->advance(steps[i]);
+            const State state = solver->state();
+            CHECK(solver->asleep(0));
+            for (std::size_t object = 0; object < d.objects.size(); ++object) {
+                CAPTURE(i, object);
+                CHECK(!solver->objectAsleep(static_cast<int>(object)));
+                // Rounding of single precision over thousands of steps of up to 4 mm.
+                CHECK(
+                    (state.objects[object].position - expected[i].objects[object].position).norm() <
+                    2e-3);
+            }
+        }
+    }
+}
+
+TEST_CASE("what rests on something wakes and falls when that leaves") {
+    struct Case {
+        const char* what;
+        WorldDescription world;
+        int body, object;  ///< what must fall; -1: none
+        double from;       ///< m, where its lowest point was at least
+    };
+    std::vector<Case> cases;
+    {
+        WorldDescription d = grounded({4, 2, 4});
+        d.bodies[0].position = {0, 0.3, 0};
+        d.objects = {movable(ObjectShape::Box, {0.2, 0.15, 0.2}, 50, {0, 0.15, 0})};
+        d.throws = {thrownAway(0, 2)};
+        cases.push_back({"a body on an object", d, 0, -1, 0.29});
+    }
+    {
+        WorldDescription d = grounded({4, 2, 4});
+        d.objects = {movable(ObjectShape::Box, {0.1, 0.1, 0.1}, 5, {0, 0.3, 0})};
+        d.events = {hit(0, {0, 0.1, 0}, {30, 0, 0})};
+        d.events[0].time = 2;
+        cases.push_back({"an object on a body", d, -1, 0, 0.19});
+    }
+    {
+        WorldDescription d = grounded({1, 1, 1});
+        d.bodies[0].position = {20, 0, 0};
+        d.objects = {movable(ObjectShape::Box, {0.2, 0.1, 0.2}, 5, {0, 0.1, 0}),
+                     movable(ObjectShape::Box, {0.2, 0.1, 0.2}, 5, {0, 0.3, 0})};
+        d.throws = {thrownAway(0, 2)};
+        cases.push_back({"an object on an object", d, -1, 1, 0.19});
+    }
+    {
+        WorldDescription d = grounded({4, 2, 4});
+        BodyDescription upper = d.bodies[0];
+        upper.position = {0, 0.2, 0};
+        d.bodies.push_back(upper);
+        d.events = {hit(0, {0, 0.1, 0}, {30, 0, 0})};
+        d.events[0].time = 2;
+        d.events[0].radius = 1;
+        cases.push_back({"a body on a body", d, 1, -1, 0.19});
+    }
+    {
+        WorldDescription d = grounded({8, 1, 2});  // a lintel on two posts, one of which leaves
+        d.bodies[0].position = {0, 0.4, 0};
+        d.objects = {movable(ObjectShape::Box, {0.1, 0.2, 0.1}, 20, {-0.3, 0.2, 0}),
+                     movable(ObjectShape::Box, {0.1, 0.2, 0.1}, 20, {0.3, 0.2, 0})};
+        d.throws = {thrownAway(1, 2)};
+        cases.push_back({"a lintel on posts", d, 0, -1, 0.38});
+    }
+    {
+        // A tall box that leans on a load on a chain, which is not there long.
+        WorldDescription d = grounded({1, 1, 1});
+        d.bodies[0].position = {20, 0, 0};
+        d.objects = {movable(ObjectShape::Box, {0.05, 0.4, 0.05}, 5, {0.02, 0.41, 0}),
+                     movable(ObjectShape::Box, {0.2, 0.2, 0.2}, 200, {0.35, 0.5, 0})};
+        d.objects[0].orientation = Eigen::AngleAxisd(-0.15, Vec3::UnitZ());
+        d.objects[0].friction = 1;
+        d.throws = {thrownAway(1, 3)};
+        d.objects[1].fixed = false;
+        cases.push_back({"a box that leans on another", d, -1, 0, 0});
+    }
+    for (const Case& c : cases) {
+        const World world(c.world);
+        const auto lowest = [&](const State& state) {
+            if (c.object >= 0) return state.objects[c.object].position[1];
+            double low = 1e9;
+            const Body& body = world.bodies()[c.body];
+            for (int node = kCorners * body.firstCell;
+                 node < kCorners * (body.firstCell + body.cellCount()); ++node)
+                low = std::min(low, world.restPosition(node)[1] + state.displacement[node][1]);
+            return low;
+        };
+        for (const SolverUnderTest& under : sleepers()) {
+            INFO(under.name << ", " << c.what);
+            const auto solver = under.make(world);
+            const double time =
+                c.world.throws.empty() ? c.world.events[0].time : c.world.throws[0].time;
+            solver->advance(static_cast<int>(time * 3000) - 50);
+            const auto sleeps = [&] {
+                return c.object >= 0 ? solver->objectAsleep(c.object) : solver->asleep(c.body);
+            };
+            CHECK(sleeps());
+            const State before = solver->state();
+            CHECK(lowest(before) > c.from);
+            solver->advance(50 + 200);
+            CHECK(!sleeps());
+            solver->advance(2800);  // a second later
+            const State after = solver->state();
+            CHECK(lowest(after) < lowest(before) - 0.1);
+        }
+    }
+}
+
+TEST_CASE("waking costs nothing for what is not concerned") {
+    WorldDescription d = grounded({2, 2, 2});
+    BodyDescription other = d.bodies[0];
+    other.position = {1, 0, 0};  // 0.8 m away
+    d.bodies.push_back(other);
+    d.objects = {movable(ObjectShape::Box, {0.1, 0.1, 0.1}, 5, {0, 0.3, 0}),
+                 movable(ObjectShape::Box, {0.1, 0.1, 0.1}, 5, {1, 0.3, 0})};
+    d.events = {hit(0, {0, 0.1, 0}, {0, 0.5, 0})};
+    d.events[0].time = 2;
+    const World world(d);
+    for (const SolverUnderTest& under : sleepers()) {
+        INFO(under.name);
+        const auto solver = under.make(world);
+        solver->advance(5900);
+        const State asleep = solver->state();
+        for (int i = 0; i < 2; ++i) CHECK((solver->asleep(i) && solver->objectAsleep(i)));
+        solver->advance(200);
+        CHECK((!solver->asleep(0) && !solver->objectAsleep(0)));
+        CHECK((solver->asleep(1) && solver->objectAsleep(1)));
+        const State state = solver->state();
+        CHECK(state.objects[1] == asleep.objects[1]);
+        for (int node = world.nodeCount() / 2; node < world.nodeCount(); ++node)
+            CHECK(state.displacement[node] == asleep.displacement[node]);
+    }
+}
+
+TEST_CASE("members of an island fall asleep and wake together") {
+    using Status = RestIslands::Status;
+    RestIslands islands(6);
+    // 0 - 1 - 2 touch, 2 is restless; 3 - 4 touch; 5 is not there.
+    std::vector<Status> status{Status::Ready, Status::Ready, Status::Restless,
+                               Status::Ready, Status::Ready, Status::Apart};
+    CHECK(islands.settle(status, {{0, 1}, {1, 2}, {3, 4}}) == std::vector{3, 4});
+    CHECK(islands.wake(0).empty());
+    status[2] = Status::Ready;
+    status[3] = status[4] = Status::Asleep;
+    // Now all are ready, and 2 has come to lie against 3.
+    CHECK(islands.settle(status, {{0, 1}, {1, 2}, {2, 3}, {3, 4}}) == std::vector{0, 1, 2});
+    CHECK(islands.wake(4) == std::vector{0, 1, 2, 3, 4});
+    CHECK(islands.wake(0).empty());
 }
