@@ -1,7 +1,8 @@
 // What an object touches besides cells: barriers (src/core/room.hpp) and other objects.
 #include "objects/motion.glsl"
 
-uniform float stepSize;  // s
+uniform float stepSize;       // s
+uniform float settlingSpeed;  // m/s
 uniform vec2 ground;     // x: 1 where there is a floor at y = 0; y: Coulomb coefficient
 #if ROOM
 uniform vec3 roomLow, roomHigh;  // m; SUNDER_NO_BARRIER away where there is none
@@ -20,9 +21,16 @@ RoundedBox cornerBox(RoundedBox box, int corner, out bool repeated) {
     return box;
 }
 
+// Overlaps part slowly. share: the smaller one of both sides' loadShare().
+void settle(inout Touch touch, float share) {
+    if (share < 1.0 && touch.gap < 0.0) touch.gap *= kLoadedDepth;
+    limitDepth(touch, settlingSpeed, stepSize);
+}
+
 // towards: the unit vector from the object to a barrier that lies `place` along it.
 void meetBarrier(RoundedBox point, ObjectRecord record, ObjectMotion state, vec3 towards, float place, float friction) {
     Touch touch = Touch(towards, point.centre + point.radius * towards, place - dot(towards, point.centre) - point.radius);
+    settle(touch, loadShare(record, state));
     meet(touch, -velocityAt(record, state, touch.point), -1, true, record.surface.y, 0.5 * (record.surface.x + friction));
 }
 
@@ -50,6 +58,7 @@ void meetPair(int self, int other) {
     if (stateB.position.w * stateA.position.w == 0.0 || (still(a, first) && still(b, second))) return;
     RoundedBox boxA = boxOf(first, stateA), boxB = boxOf(second, stateB);
     vec3 closing = stateB.velocity.xyz - stateA.velocity.xyz;
+    float share = min(loadShare(first, stateA), loadShare(second, stateB));
     // 0: the two as they are; 1–8: corners of the first; 9–16: of the second.
     bool round_ = boxA.half_ == vec3(0.0) || boxB.half_ == vec3(0.0);
     for (int i = 0; i < (round_ ? 1 : 17); ++i) {
@@ -59,6 +68,7 @@ void meetPair(int self, int other) {
         else if (i > 0) from = cornerBox(boxA, i - 1, repeated);
         if (repeated) continue;
         Touch touch = sweptTouch(from, to, closing, stepSize);
+        settle(touch, share);
         vec3 velocity = velocityAt(second, stateB, touch.point) - velocityAt(first, stateA, touch.point);
         meet(touch, velocity, other, self == a, 0.5 * (first.surface.y + second.surface.y),
              0.5 * (first.surface.x + second.surface.x));

@@ -10,13 +10,24 @@ uniform bool newWatch;               // this is the first step since objects wer
 
 layout(location = 0) out vec4 moved[SUNDER_OBJECT_LAYERS];
 
-const float kLoadTime = 0.1, kUnloadTime = 2.0e-3;  // s, src/core/object_contact.hpp
+// src/core/object_contact.hpp
+const float kLoadTime = 0.05, kUnloadTime = 0.01, kGrowthTime = 1.5e-3;  // s
+const float kPressingSpeed = 1.0;                                        // m/s
 
 int self;
 ObjectRecord record;
 ObjectMotion state;
 vec3 linear, angular;
-float others;  // N·s: of the sizes of impulses that no cell gave
+// N·s, of others than cells that press: sums, and those of their components' sizes.
+struct Pressing {
+    vec3 sum, sizes;
+};
+Pressing pressing, stopping;  // stopping: the parts that stop an approach
+
+void add(inout Pressing to, vec3 impulse) {
+    to.sum += impulse;
+    to.sizes += abs(impulse);
+}
 
 float touchCount(int object) { return texelFetch(touchCounts, ivec3(object, 0, 0), 0).x; }
 
@@ -30,7 +41,11 @@ void meet(Touch touch, vec3 velocity, int other, bool own, float restitution, fl
     if (own) impulse = -impulse;
     linear += impulse;
     angular += cross(touch.point - state.position.xyz, impulse);
-    others += length(impulse);
+    float approach = -dot(velocity, touch.normal);
+    if (approach > kPressingSpeed) return;
+    add(pressing, impulse);
+    float part = min(abs(dot(impulse, touch.normal)), max(0.0, approach) / yield_.x);
+    add(stopping, (own ? -part : part) * touch.normal);
 }
 
 // Holds what moves to `next` on its chain; whether it was taut.
@@ -39,18 +54,27 @@ bool hang(float share, inout vec3 velocity, inout vec3 next) {
     float chain = record.surface.w;
     if (chain <= 0.0 || length(along) <= chain) return false;
     vec3 outward = normalize(along);
-    float taken = max(0.0, dot(velocity, outward)), pull = taken / (share * record.inertia.w);
+    float taken = max(0.0, dot(velocity, outward));
     velocity -= taken * outward;
     next = record.hungFrom.xyz + chain * outward;
-    linear -= pull * outward;
-    others += pull;
+    vec3 pull = -taken / (share * record.inertia.w) * outward;
+    add(pressing, pull);
+    add(stopping, pull);
     return true;
 }
 
+// kg.
+float squeeze(Pressing p, vec3 fromCells) {
+    vec3 cancelled = 0.5 * (p.sizes + abs(fromCells) - abs(p.sum + fromCells));
+    return max(cancelled.x, max(cancelled.y, cancelled.z)) / (stepSize * 9.81);
+}
+
 float loadAfter(vec3 fromCells) {
-    float squeeze = 0.5 * (others + length(fromCells) - length(linear));
-    float fading = exp(-stepSize / (others > 0.0 ? kLoadTime : kUnloadTime)) * state.memory.x;
-    return min(heaviest, max(fading, squeeze / (stepSize * 9.81)));
+    float load = state.memory.x;
+    float kept = exp(-stepSize / (pressing.sizes != vec3(0.0) ? kLoadTime : kUnloadTime));
+    float following = mix(squeeze(pressing, fromCells), load, kept);
+    float growing = exp(stepSize / kGrowthTime) * max(load, 1.0 / record.inertia.w);
+    return min(heaviest, max(following, min(growing, squeeze(stopping, fromCells))));
 }
 
 void main() {
@@ -60,7 +84,7 @@ void main() {
     vec3 fromCells = texelFetch(impulses, ivec3(self, 0, 0), 0).xyz;
     linear = fromCells;
     angular = texelFetch(impulses, ivec3(self, 0, 1), 0).xyz;
-    others = 0.0;
+    pressing = stopping = Pressing(vec3(0.0), vec3(0.0));
     if (state.position.w > 0.0 && !still(self, record)) {
         meetAll(self);
         float kept = record.surface.z, share = loadShare(record, state);
@@ -83,6 +107,10 @@ void main() {
             had |= int(state.memory.z);
         }
         state.memory = vec4(loadAfter(fromCells), fastest, float(had), 0.0);
+        // What weighs more from now on has no more momentum for it.
+        float lighter = min(1.0, loadShare(record, state) / share);
+        state.velocity.xyz *= lighter;
+        state.angularMomentum *= vec4(vec3(lighter), lighter * lighter);
     }
     moved[0] = state.position;
     moved[1] = state.orientation;

@@ -71,6 +71,11 @@ Touch sweptTouch(RoundedBox from, RoundedBox to, vec3 velocity, float h) {
     return touch;
 }
 
+// So that the touch asks for no more than `speed`, m/s.
+void limitDepth(inout Touch touch, float speed, float h) {
+    touch.gap = max(touch.gap, -speed * max(kPartingTime, h / kContactStiffness));
+}
+
 float partingSpeed(float gap, float h) {
     return gap > 0.0 ? -gap / h : -gap / max(kPartingTime, h / kContactStiffness);
 }

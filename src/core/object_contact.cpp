@@ -4,6 +4,11 @@
 #include <cmath>
 
 namespace sunder {
+namespace {
+
+constexpr double kStandardGravity = 9.81;  // m/s²
+
+}  // namespace
 
 Vec3 RoundedBox::nearest(const Vec3& x) const {
     const Vec3 local = axes.transpose() * (x - centre);
@@ -93,18 +98,35 @@ Touch sweptTouch(const RoundedBox& from, const RoundedBox& to, const Vec3& veloc
     return touch;
 }
 
+void limitDepth(Touch& touch, double speed, double step) {
+    touch.gap = std::max(touch.gap, -speed * std::max(kPartingTime, step / kContactStiffness));
+}
+
 double partingSpeed(double gap, double step) {
     return gap > 0 ? -gap / step : -gap / std::max(kPartingTime, step / kContactStiffness);
 }
 
 double loadShare(const Object& object, const ObjectState& state) {
-    return 1 / std::max(1.0, state.load * object.inverseMass);
+    return 1 / std::max(1.0, kLoadMargin * state.load * object.inverseMass);
 }
 
-double loadAfter(double load, const TouchSum& sum, double step, double most) {
-    const double squeeze = 0.5 * (sum.others + sum.cells.norm() - sum.all.norm());
-    const double fading = std::exp(-step / (sum.others > 0 ? kLoadTime : kUnloadTime)) * load;
-    return std::min(most, std::max(fading, squeeze / (step * 9.81)));
+double loadAfter(const Object& object, double load, const TouchSum& sum, double step, double most) {
+    const auto squeeze = [&](const TouchSum::Pressing& p) {
+        const Vec3 cancelled =
+            0.5 * (p.sizes + sum.cells.cwiseAbs() - (p.sum + sum.cells).cwiseAbs());
+        return cancelled.maxCoeff() / (step * kStandardGravity);
+    };
+    const bool pressed = !sum.pressing.sizes.isZero(0);
+    const double kept = std::exp(-step / (pressed ? kLoadTime : kUnloadTime));
+    const double following = kept * load + (1 - kept) * squeeze(sum.pressing);
+    const double growing = std::exp(step / kGrowthTime) * std::max(load, 1 / object.inverseMass);
+    return std::min(most, std::max(following, std::min(growing, squeeze(sum.stopping))));
+}
+
+double stoppingPart(const Touch& touch, const Vec3& velocity, const Yield& yield,
+                    const Vec3& impulse) {
+    return std::min(std::max(0.0, impulse.dot(touch.normal)),
+                    std::max(0.0, -velocity.dot(touch.normal)) / yield.normal);
 }
 
 double massOf(const World& world) {
@@ -114,6 +136,10 @@ double massOf(const World& world) {
     for (const Object& object : world.objects())
         if (object.inverseMass > 0) sum += 1 / object.inverseMass;
     return sum;
+}
+
+double settlingSpeed(const World& world) {
+    return 20 * std::max(kStandardGravity, world.description().gravity.norm()) * world.step();
 }
 
 Yield yieldOf(const Object& object, const ObjectState& state, const Touch& touch) {

@@ -30,22 +30,33 @@ namespace sunder {
 /// sides'.
 ///
 /// A share of its mass is all that an object has to hold up another with, so a light one would sink
-/// under a heavy one. An object that others squeeze between them therefore answers touches with the
-/// mass that it carries, m' = max(m, load), instead of m, above and in what an impulse does to its
-/// motion and spin; gravity goes on pulling at m. Squeezed means: touches whose impulses cancel,
+/// under a heavy one. An object that others squeeze between them therefore answers touches with
+/// what it carries, m' = max(m, kLoadMargin·load), instead of m, above and in what an impulse does
+/// to its motion and spin; gravity goes on pulling at m. Squeezed means: touches whose impulses
+/// cancel, along one of the world's axes a,
 ///
-///   load = ½·(Σ|p| + |Σp_cells| − |Σp|)/(h·g₀),  g₀ = 9.81 m/s²
+///   squeeze(p) = max_a ½·(Σ|p_a| + |Σp_cells,a| − |Σp_a|)/(h·g₀),  g₀ = 9.81 m/s²
 ///
-/// over objects, barriers and a chain, cells all together. It grows at once and fades within
-/// kLoadTime, so that it hardly changes while a stack swings (changing with it would drive it), or
-/// within kUnloadTime where nothing but cells touches the object. One that is hit from one side has
-/// none.
+/// over objects, barriers and a chain, cells all together; hits, which approach faster than
+/// kPressingSpeed, do not count, so that what is hit where it stands flies off as light as it is.
+/// The load follows squeeze(p) within kLoadTime. Within kGrowthTime it grows to what the impulses
+/// that stop an approach, at most M·|v·n|, squeeze: were it to follow an overlap so fast, which
+/// presses the harder the larger M is, it would drive a stack to swing. For the same reason loaded
+/// objects part slowly: an overlap with another object or a barrier counts as kLoadedDepth of
+/// itself. Where nothing but cells touches the object, the load fades within kUnloadTime. What
+/// grows heavier keeps its momentum m'·v and becomes slower, so a changing load never adds energy.
 inline constexpr double kBounceSpeed = 0.3;  ///< m/s
 inline constexpr int kProjections = 6;
 inline constexpr int kAdvances = 8;
 inline constexpr double kCellRoundness = 0.1;  ///< radius of a cell's box in shortest edges
-inline constexpr double kLoadTime = 0.1;       ///< s
-inline constexpr double kUnloadTime = 2e-3;    ///< s
+inline constexpr double kLoadTime = 0.05;      ///< s
+inline constexpr double kUnloadTime = 0.01;    ///< s
+inline constexpr double kGrowthTime = 1.5e-3;  ///< s, in which a load grows e times
+inline constexpr double kPressingSpeed = 1;    ///< m/s
+inline constexpr double kLoadedDepth = 0.2;    ///< with it a tower of ten boxes is overdamped
+/// An object answers as if it weighed so much more than it carries: its mass is shared out among a
+/// dozen touches and more.
+inline constexpr double kLoadMargin = 4;
 
 /// A box somewhere, and how far around it counts.
 struct RoundedBox {
@@ -83,6 +94,8 @@ Touch touchOf(const RoundedBox& from, const RoundedBox& to);
 /// The second moves at `velocity` (m/s) relative to the first for `step` (s).
 Touch sweptTouch(const RoundedBox& from, const RoundedBox& to, const Vec3& velocity, double step);
 
+/// So that the touch asks for no more than `speed` (m/s): a deeper overlap counts as that.
+void limitDepth(Touch& touch, double speed, double step);
 /// m/s: the speed of parting that a gap asks for, u.
 double partingSpeed(double gap, double step);
 inline bool touches(const Touch& touch, const Vec3& velocity, double step) {
@@ -103,13 +116,26 @@ struct Yield {
 double loadShare(const Object& object, const ObjectState& state);
 /// What touches gave an object in a step, N·s.
 struct TouchSum {
-    Vec3 all{0, 0, 0}, cells{0, 0, 0};
-    double others = 0;  ///< of the sizes of those that no cell gave
+    Vec3 all{0, 0, 0};
+    Vec3 cells{0, 0, 0};
+    /// Of others than cells that press: sums, and those of their components' sizes.
+    struct Pressing {
+        Vec3 sum{0, 0, 0}, sizes{0, 0, 0};
+        void add(const Vec3& p) {
+            sum += p;
+            sizes += p.cwiseAbs();
+        }
+    };
+    Pressing pressing, stopping;  ///< stopping: the parts that stop an approach
 };
 /// kg, after a step. most: no object carries more than everything there is.
-double loadAfter(double load, const TouchSum& sum, double step, double most);
+double loadAfter(const Object& object, double load, const TouchSum& sum, double step, double most);
 /// kg, of all bodies and objects.
 double massOf(const World& world);
+/// m/s: objects that overlap each other or a barrier part no faster: twenty times what gravity adds
+/// in a step, for a box on its corners needs four times that to be carried. Much faster, a stack
+/// that was pressed together would jump.
+double settlingSpeed(const World& world);
 
 /// Of an object, before it is multiplied by K.
 Yield yieldOf(const Object& object, const ObjectState& state, const Touch& touch);
@@ -117,6 +143,9 @@ inline Yield yieldOf(double inverseMass) {
     return {inverseMass, inverseMass};
 }
 
+/// The part of an impulse's size, N·s, that stops the approach of two sides.
+double stoppingPart(const Touch& touch, const Vec3& velocity, const Yield& yield,
+                    const Vec3& impulse);
 /// N·s on the second side of a touch, where touches() holds.
 Vec3 touchImpulse(const Touch& touch, const Vec3& velocity, const Yield& yield, double restitution,
                   double friction, double step);

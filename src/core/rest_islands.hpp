@@ -54,7 +54,8 @@ inline constexpr int kCellsPerRestBox = 16;
 double restReach(const Body& body);
 RestBox restBoxOf(const World& world, int object, const ObjectState& state);
 
-/// Pairs of members some of whose boxes meet, each once. Objects meet where their surfaces do.
+/// Pairs of members some of whose boxes meet, each once. A ball meets an object where their
+/// surfaces do.
 RestIslands::Touches restTouches(const World& world, std::vector<RestBox> boxes,
                                  const std::vector<ObjectState>& objects);
 

@@ -34,6 +34,7 @@ Objects::Objects(const World& world)
       asleep_(world.objects().size()),
       rests_(world.objects().size()),
       heaviest_(massOf(world)),
+      settlingSpeed_(settlingSpeed(world)),
       sleepSteps_(sleepSteps(world)),
       cellTouches_(static_cast<std::size_t>(world.cellCount())),
       objectTouches_(world.objects().size()),
@@ -176,6 +177,12 @@ void Objects::push(Cells& cells) {
 }
 
 void Objects::add(Active active) {
+    if (active.cell < 0) {
+        const bool loaded =
+            share(active.object) < 1 || (active.other >= 0 && share(active.other) < 1);
+        if (loaded && active.touch.gap < 0) active.touch.gap *= kLoadedDepth;
+        limitDepth(active.touch, settlingSpeed_, world_.step());
+    }
     if (!touches(active.touch, active.velocity, world_.step())) return;
     ++objectTouches_[active.object];
     if (active.other >= 0) ++objectTouches_[active.other];
@@ -269,13 +276,17 @@ void Objects::apply(const Active& active, Cells& cells) {
     if (yield.normal == 0) return;
     const Vec3 impulse = touchImpulse(touch, active.velocity, yield, active.restitution,
                                       active.friction, world_.step());
+    const bool presses = active.velocity.dot(touch.normal) >= -kPressingSpeed;
+    const double stopping = stoppingPart(touch, active.velocity, yield, impulse);
     const auto give = [&](int index, const Vec3& p) {
         Impulse& given = impulses_[index];
         given.sum.all += p;
-        if (active.cell >= 0)
+        if (active.cell >= 0) {
             given.sum.cells += p;
-        else
-            given.sum.others += p.norm();
+        } else if (presses) {
+            given.sum.pressing.add(p);
+            given.sum.stopping.add((index == active.object ? -stopping : stopping) * touch.normal);
+        }
         given.angular += (touch.point - states_[index].position).cross(p);
     };
     give(active.object, -impulse);
@@ -296,7 +307,7 @@ void Objects::move(int index, const Impulse& given) {
     const Object& object = world_.objects()[index];
     ObjectUnrest& unrest = rests_[index].unrest;
     TouchSum sum = given.sum;
-    const double kept = std::exp(-object.drag * h), share = loadShare(object, state);
+    const double kept = std::exp(-object.drag * h), share = this->share(index);
     state.velocity = kept * state.velocity +
                      share * (h * world_.description().gravity + object.inverseMass * sum.all);
     state.angularMomentum = kept * state.angularMomentum + share * given.angular;
@@ -308,14 +319,19 @@ void Objects::move(int index, const Impulse& given) {
             const double taken = std::max(0.0, state.velocity.dot(outward));
             state.velocity -= taken * outward;
             next = object.hungFrom + object.chain * outward;
-            sum.all -= taken / (share * object.inverseMass) * outward;
-            sum.others += taken / (share * object.inverseMass);
+            const Vec3 pull = -taken / (share * object.inverseMass) * outward;
+            sum.pressing.add(pull);
+            sum.stopping.add(pull);
             unrest.hung = true;
         }
     }
     state.position = next;
     state.orientation = turnedFreely(object, state, h);
-    state.load = loadAfter(state.load, sum, h, heaviest_);
+    state.load = loadAfter(object, state.load, sum, h, heaviest_);
+    // What weighs more from now on has no more momentum for it.
+    const double lighter = std::min(1.0, this->share(index) / share);
+    state.velocity *= lighter;
+    state.angularMomentum *= lighter;
     unrest.fastest = std::max(unrest.fastest, speed(index));
     unrest.touched |= objectTouches_[index] > 0;
 }

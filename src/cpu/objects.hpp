@@ -105,6 +105,7 @@ class Objects {
         return world_.objects()[object].inverseMass == 0 || asleep_[object];
     }
     Yield yield(int object, const Touch& touch) const;
+    double share(int object) const { return loadShare(world_.objects()[object], states_[object]); }
 
     const World& world_;
     std::vector<ContactProxy> proxies_;  ///< per body
@@ -114,7 +115,8 @@ class Objects {
     std::vector<bool> near_, hit_;          ///< per body
     std::vector<bool> disturbed_, asleep_;  ///< per object
     std::vector<Rest> rests_;
-    double heaviest_;  ///< kg, of everything together
+    double heaviest_;       ///< kg, of everything together
+    double settlingSpeed_;  ///< m/s
     int sleepSteps_;
     std::vector<Active> active_;
     std::vector<int> cellTouches_;    ///< N, per candidate's cell, 0 between steps

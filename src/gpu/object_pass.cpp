@@ -144,6 +144,7 @@ gl::Program ObjectPass::objectProgram(const char* fragment) const {
                          .defines = {{"ROOM", world_.description().room ? "1" : "0"}}});
     setConstants(program, world_, columns_);
     glUniform1i(program.uniform("objectCount"), count_);
+    glUniform1f(program.uniform("settlingSpeed"), static_cast<float>(settlingSpeed(world_)));
     return program;
 }
 
