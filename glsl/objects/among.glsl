@@ -23,7 +23,7 @@ RoundedBox cornerBox(RoundedBox box, int corner, out bool repeated) {
 
 // Overlaps part slowly. share: the smaller one of both sides' loadShare().
 void settle(inout Touch touch, float share) {
-    if (share < 1.0 && touch.gap < 0.0) touch.gap *= kLoadedDepth;
+    if (touch.gap < 0.0) touch.gap *= max(kLoadedDepth, share);
     limitDepth(touch, settlingSpeed, stepSize);
 }
 

@@ -42,9 +42,10 @@ namespace sunder {
 /// The load follows squeeze(p) within kLoadTime. Within kGrowthTime it grows to what the impulses
 /// that stop an approach, at most M·|v·n|, squeeze: were it to follow an overlap so fast, which
 /// presses the harder the larger M is, it would drive a stack to swing. For the same reason loaded
-/// objects part slowly: an overlap with another object or a barrier counts as kLoadedDepth of
-/// itself. Where nothing but cells touches the object, the load fades within kUnloadTime. What
-/// grows heavier keeps its momentum m'·v and becomes slower, so a changing load never adds energy.
+/// objects part slowly: an overlap with another object or a barrier counts as max(m/m',
+/// kLoadedDepth) of itself. Where nothing but cells touches the object, the load fades within
+/// kUnloadTime. What grows heavier keeps its momentum m'·v and becomes slower, so a changing load
+/// never adds energy.
 inline constexpr double kBounceSpeed = 0.3;  ///< m/s
 inline constexpr int kProjections = 6;
 inline constexpr int kAdvances = 8;

@@ -178,9 +178,9 @@ void Objects::push(Cells& cells) {
 
 void Objects::add(Active active) {
     if (active.cell < 0) {
-        const bool loaded =
-            share(active.object) < 1 || (active.other >= 0 && share(active.other) < 1);
-        if (loaded && active.touch.gap < 0) active.touch.gap *= kLoadedDepth;
+        const double lighter =
+            std::min(share(active.object), active.other >= 0 ? share(active.other) : 1);
+        if (active.touch.gap < 0) active.touch.gap *= std::max(kLoadedDepth, lighter);
         limitDepth(active.touch, settlingSpeed_, world_.step());
     }
     if (!touches(active.touch, active.velocity, world_.step())) return;

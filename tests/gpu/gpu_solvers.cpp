@@ -27,6 +27,7 @@ class Checked : public Solver {
         return solver_.setPassObserver(observer);
     }
     bool asleep(int body) const override { return solver_.asleep(body); }
+    bool objectAsleep(int object) const override { return solver_.objectAsleep(object); }
 
   private:
     gpu::WorldBuffers buffers_;
