@@ -187,10 +187,12 @@ TEST_CASE("a free spin keeps its angular momentum and its energy") {
     for (const SolverUnderTest& under : touchingSolvers()) {
         INFO(under.name);
         const auto solver = under.make(world);
+        // A minute, which software drivers take minutes for; where rounding drifts, in single
+        // precision, energy is put back at every step, so that a second shows as much.
         const bool onCpu = under.name == "cpu" || under.name == "reference";
-        // Software drivers take minutes for what takes seconds here; what drifts would show in a
-        // tenth of the time, too: the bound below is a tenth of 0.1 % a minute.
-        const int steps = onCpu ? 180000 : 18000;
+        const int steps = onCpu ? 180000 : 3000;
+        // In double precision the split's own error, which does not grow: turnedFreely().
+        const double error = onCpu ? 4e-4 : 1e-5;
         const State before = solver->state();
         solver->advance(steps);
         const State after = solver->state();
@@ -199,7 +201,7 @@ TEST_CASE("a free spin keeps its angular momentum and its energy") {
             const Object& object = world.objects()[i];
             CHECK(after.objects[i].angularMomentum == before.objects[i].angularMomentum);
             CHECK(after.objects[i].kineticEnergy(object) ==
-                  Approx(before.objects[i].kineticEnergy(object)).epsilon(1e-4));
+                  Approx(before.objects[i].kineticEnergy(object)).epsilon(error));
         }
     }
 }
@@ -223,8 +225,8 @@ TEST_CASE("a heavy object stands on a light one, and a tower whose masses double
     for (const SolverUnderTest& under : touchingSolvers()) {
         INFO(under.name);
         const auto solver = under.make(world);
-        // Those that sleep no longer move; the others stand for the whole ten seconds.
-        solver->advance(under.sleeps ? 6000 : under.name == "reference" ? 30000 : 9000);
+        // Those that sleep no longer move; of the others, `reference` stands for ten seconds.
+        solver->advance(under.name == "reference" ? 30000 : 3600);
         const State state = solver->state();
         for (std::size_t i = 0; i < d.objects.size(); ++i) {
             CAPTURE(i);
