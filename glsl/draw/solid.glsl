@@ -5,7 +5,7 @@
 // How a face lies in the rest frame: seen along its dominant axis, with coordinates u and v (m) on it.
 struct Chart {
     int axis;
-    vec3 inward;             // unit, rest frame, into the body
+    vec3 place;              // m, rest frame, a hair inside the face
     vec2 uv, uvAcross, uvUp; // m, with derivatives along the screen
     vec3 alongU, alongV;     // 1, world: gradients of u and v along the surface
 };
@@ -16,7 +16,8 @@ vec2 coordinatesOn(int axis, vec3 p) {
 }
 
 // Gradients of u and v come from derivatives (Schüler's cotangent frame, 2013): right on any deformed surface, without
-// tangents at vertices.
+// tangents at vertices. Faces lie exactly where bricks and planks meet, at a wall's edges too, and there rounding would decide
+// for each pixel which one it belongs to: what a place is made of is asked a hair inside, where it is the one that the face bounds.
 Chart chartOf(SurfacePoint s) {
     vec3 px = dFdx(s.position), py = dFdy(s.position), rx = dFdx(s.place), ry = dFdy(s.place);
     vec3 rest = cross(rx, ry);
@@ -24,8 +25,9 @@ Chart chartOf(SurfacePoint s) {
     vec3 size = abs(rest);
     Chart chart;
     chart.axis = size.x > max(size.y, size.z) ? 0 : size.y > size.z ? 1 : 2;
-    chart.inward = -rest / max(length(rest), 1e-30);
-    chart.uv = coordinatesOn(chart.axis, s.place);
+    const float HAIR = 1e-3;  // m
+    chart.place = s.place - HAIR * rest / max(length(rest), 1e-30);
+    chart.uv = coordinatesOn(chart.axis, chart.place);
     chart.uvAcross = coordinatesOn(chart.axis, rx);
     chart.uvUp = coordinatesOn(chart.axis, ry);
     vec3 across = cross(py, s.normal), up = cross(s.normal, px);
@@ -85,9 +87,7 @@ vec3 solid(SurfacePoint s, SurfaceLook look, vec3 view) {
     int kind = int(look.finish.x);
     Finish finish = finishOf(kind, look, s, chart.axis);
 
-    // A face between two bricks belongs to the one that it bounds.
-    const float SKIN = 1e-3;  // m
-    vec4 random = clusterRandom(clusterAt(look, s.place + SKIN * chart.inward), s.seed);
+    vec4 random = clusterRandom(clusterAt(look, chart.place), s.seed);
     vec3 footprint = abs(dFdx(s.place)) + abs(dFdy(s.place));
 
     vec2 size = layerSize(finish.layer);
@@ -99,7 +99,7 @@ vec3 solid(SurfacePoint s, SurfaceLook look, vec3 view) {
     float ragged = mortared ? wideVariation(9.0 * chart.uv.yx, 9.0 * chart.uvAcross.yx, 9.0 * chart.uvUp.yx) - 1.0 : 0.0;
     bool clustered = int(look.clusters.w) != SUNDER_CLUSTERS_NONE;
     Joint joint = Joint(0.0, vec3(0.0));
-    if (clustered) joint = jointAt(look, s.place, footprint, chart.axis, 0.005 * ragged);
+    if (clustered) joint = jointAt(look, chart.place, footprint, chart.axis, 0.005 * ragged);
     if (s.boundary > 0.5) joint = Joint(mortared ? smoothstep(-0.3, -0.05, ragged) : 0.0, vec3(0.0));
     if (mortared && joint.coverage > 0.5) layer = float(surfaceLayers[SUNDER_LAYER_MORTAR]);
     vec4 texel = textureGrad(surfaces, vec3(uv + random.xy, layer), across, up);

@@ -1,5 +1,7 @@
 // What surfaces look like: colours that can be computed, textures that stay where they belong.
 #include <cmath>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <optional>
 
 #include "../../glsl/draw/sun.h"
 #include "catch.hpp"
@@ -19,6 +21,20 @@ WorldDescription wallOf(const std::string& material, const Vec3& size = {2, 1, 0
     description.bodies[0].size = size;
     description.bodies[0].cells = {16, 8, 1};
     return description;
+}
+
+/// Every bond broken, and cells apart, so that all their faces are seen.
+State burst(const World& world) {
+    State state = world.initialState();
+    std::fill(state.damage.begin(), state.damage.end(), 1.f);
+    const Body& body = world.bodies()[0];
+    for (int cell = 0; cell < world.cellCount(); ++cell) {
+        const Vec3 middle = 0.5 * body.cells.cast<double>();
+        const Vec3 way = body.coordinates(cell).cast<double>() - middle;
+        for (int corner = 0; corner < kCorners; ++corner)
+            state.displacement[kCorners * cell + corner] = 0.03 * way;
+    }
+    return state;
 }
 
 vec3 colourAt(const Image& image, int x, int y) {
@@ -132,6 +148,106 @@ TEST_CASE("Mortar lies where bricks meet, and nowhere else", "[surface]") {
     CHECK(faces > 20000);
     CHECK(grey > 0.95 * joints);
     CHECK(red > 0.98 * faces);
+}
+
+TEST_CASE("On every face of a wall, mortar lies where the bricks that it bounds meet",
+          "[surface]") {
+    // All of its faces but front and back lie exactly where bricks meet.
+    WorldDescription description = wallOf("brick", {1.6, 0.8, 0.2});
+    description.bodies[0].cells[2] = 2;
+    const World world(description);
+    const Material& brick = description.materials[0];
+    const Body& body = world.bodies()[0];
+    const Vec3 size = description.bodies[0].size, middle = body.origin + size / 2;
+    for (const DrawnMesh mesh : {DrawnMesh::Simulation, DrawnMesh::Display})
+        for (int face = 0; face < 6; ++face) {
+            const int axis = face >> 1;
+            Vec3 outwards = Vec3::Zero();
+            outwards[axis] = face & 1 ? 1 : -1;
+            CAPTURE(mesh, outwards.transpose());
+            CameraDescription camera;
+            camera.target = middle + 0.5 * size[axis] * outwards;
+            camera.position = camera.target + 0.7 * outwards;
+            camera.target += Vec3(0.01, 0.01, 0.01);  // no pixel's centre lies on a joint's edge
+            const Image image =
+                picture(world, world.initialState(), camera, DrawStyle::Solid, mesh);
+            const glm::mat4 back = glm::inverse(
+                makeCamera(camera, static_cast<float>(kWidth) / kHeight, sceneBounds(world))
+                    .viewProjection());
+            // Of the face, from the body's origin; nothing where the pixel shows none of it.
+            const auto placeAt = [&](int x, int y) -> std::optional<Vec3> {
+                const glm::vec2 centre(static_cast<float>(2 * x + 1) / kWidth,
+                                       static_cast<float>(2 * y + 1) / kHeight);
+                const glm::vec4 seen = back * glm::vec4(centre.x - 1, 1 - centre.y, 0.5f, 1);
+                const Vec3 way = Vec3(seen.x, seen.y, seen.z) / double{seen.w} - camera.position;
+                const double far =
+                    (middle[axis] + 0.5 * size[axis] * outwards[axis] - camera.position[axis]) /
+                    way[axis];
+                const Vec3 place = camera.position + far * way - body.origin;
+                const Vec3 rim = Vec3::Constant(0.015);
+                Vec3 low = rim, high = size - rim;
+                low[axis] = -1;
+                high[axis] = size[axis] + 1;
+                if ((place.array() < low.array()).any() || (place.array() > high.array()).any())
+                    return std::nullopt;
+                return place;
+            };
+            const auto meet = [&](const Vec3& inside, double within) {
+                for (int along = 0; along < 3; ++along) {
+                    if (along == axis) continue;
+                    Vec3 way = Vec3::Zero();
+                    way[along] = within;
+                    if (clusterOf(brick, inside - way, 1) != clusterOf(brick, inside + way, 1))
+                        return true;
+                }
+                return false;
+            };
+            int joints = 0, grey = 0, faces = 0, red = 0;
+            for (int y = 0; y < kHeight; ++y)
+                for (int x = 0; x < kWidth; ++x) {
+                    const auto place = placeAt(x, y);
+                    if (!place) continue;
+                    const Vec3 inside = *place - 0.001 * outwards;
+                    const vec3 colour = colourAt(image, x, y);
+                    const bool isRed = colour.r > 1.35f * colour.g;
+                    if (meet(inside, 0.002)) {
+                        ++joints;
+                        grey += !isRed;
+                    } else if (!meet(inside, 0.014)) {
+                        ++faces;
+                        red += isRed;
+                    }
+                }
+            CAPTURE(joints, grey, faces, red);
+            CHECK(joints > 100);
+            CHECK(faces > 5000);
+            // As above: a ragged edge may reach a pixel further.
+            CHECK(grey > 0.95 * joints);
+            CHECK(red > 0.98 * faces);
+        }
+}
+
+TEST_CASE("What is seen of a material does not hang on how a place is rounded", "[surface]") {
+    // Where a wall stands rounds all its places otherwise, and is all that differs: the sun and the
+    // sky are far, and there is no ground.
+    for (const PresetInfo& preset : materialPresets())
+        for (const double side : {1.0, -1.0})
+            for (const DrawnMesh mesh : {DrawnMesh::Simulation, DrawnMesh::Display})
+                for (const bool broken : {false, true}) {
+                    CAPTURE(preset.name, side, mesh, broken);
+                    const auto draw = [&](const Vec3& at) {
+                        WorldDescription description = wallOf(preset.name, {1.6, 0.8, 0.2});
+                        description.bodies[0].position = at;
+                        const World world(description);
+                        CameraDescription camera;  // a corner, and the three faces that meet there
+                        camera.target = at + Vec3(side * 0.7, 0.4 + side * 0.3, 0);
+                        camera.position = camera.target + side * Vec3(0.4, 0.5, 0.6);
+                        const State state = broken ? burst(world) : world.initialState();
+                        return picture(world, state, camera, DrawStyle::Solid, mesh);
+                    };
+                    // Single pixels at the edges of pieces may be of another piece.
+                    CHECK(differing(draw({0, 0, 0}), draw({0.37, 0, 0.73}), 16) <= 3);
+                }
 }
 
 TEST_CASE("A texture moves with its wall", "[surface]") {

@@ -7,6 +7,7 @@
 
 #include "catch.hpp"
 #include "core/pieces.hpp"
+#include "gl/shader_assembly.hpp"
 #include "gpu/test_context.hpp"
 #include "image/renewal.hpp"
 #include "image/results.hpp"
@@ -162,6 +163,28 @@ TEST_CASE("the comparison sees a blank picture and a picture without shadows or 
     checkSeen("no texture", "brick-broken",
               [](Scene& scene) { scene.world.materials[0].surface = SurfaceKind::Plain; });
     checkSeen("no ground", "brick-broken", [](Scene& scene) { scene.world.ground = false; });
+}
+
+TEST_CASE("the comparison sees edges made of the bricks beyond them", "[image]") {
+    const std::string hair = "HAIR = 1e-3";  // how far inside the shader asks what a place is
+    const gl::ShaderSource embedded = gl::embeddedShaders();
+    const auto drawnAt = [&](const std::string& other) {
+        gl::useShaders([&](std::string_view name) {
+            std::optional<std::string> text = embedded(name);
+            if (name != "draw/solid.glsl") return text;
+            const std::size_t at = text->find(hair);
+            REQUIRE(at != std::string::npos);
+            return std::optional(text->replace(at, hair.size(), other));
+        });
+        const Image image = drawn("brick-edge");
+        gl::useShaders(embedded);
+        return image;
+    };
+    const Image right = drawn("brick-edge");
+    checkSeen("a hair outside", "brick-edge", right, drawnAt("HAIR = -1e-3"));
+    // Rounding decides for each pixel, which another driver may do alike for all.
+    if (suite().madeBaselines(testContext().info()))
+        checkSeen("neither inside nor outside", "brick-edge", right, drawnAt("HAIR = 0.0"));
 }
 
 // tools/update-baselines runs this, and nothing else does.

@@ -21,7 +21,7 @@ namespace {
 constexpr SuiteSolver kSolvers[] = {SuiteSolver::Cpu, SuiteSolver::Gather, SuiteSolver::Scatter};
 
 constexpr WholeRange kThreshold{0, 255};
-constexpr Range kShare{0, 1}, kLevels{0, 255};
+constexpr Range kShare{0, 1}, kLevels{0, 255}, kPlace{-100, 100, "m"};
 
 template <class T, class Allowed>
 T required(const TableReader& table, const char* key, const char* hint, const Allowed& allowed) {
@@ -72,6 +72,8 @@ SuitePicture readPicture(const TableReader& table) {
     readChoice(table, "mesh", picture.settings.mesh, kDrawnMeshes);
     readChoice(table, "style", picture.settings.style, kDrawStyles);
     readChoice(table, "colour", picture.colour, kWallColours);
+    readOptional(table, "camera", picture.camera, kPlace);
+    readOptional(table, "target", picture.target, kPlace);
     readOptional(table, "threshold", picture.threshold, kThreshold);
     readOptional(table, "share", picture.share, kShare);
     readOptional(table, "window", picture.window, kShare);
@@ -80,8 +82,9 @@ SuitePicture readPicture(const TableReader& table) {
 }
 
 void readPictures(const TableReader& root, Suite& suite) {
-    const TableReader::Keys known{"name",  "scene",  "frame",     "solver", "baseline", "mesh",
-                                  "style", "colour", "threshold", "share",  "window",   "mean"};
+    const TableReader::Keys known{"name",      "scene", "frame",  "solver", "baseline",
+                                  "mesh",      "style", "colour", "camera", "target",
+                                  "threshold", "share", "window", "mean"};
     std::set<std::string> own;
     for (const TableReader& table : root.tables("picture", known, 1000)) {
         const SuitePicture picture = readPicture(table);
@@ -175,6 +178,8 @@ Image drawSuitePicture(const SuitePicture& picture, const fs::path& folder,
                        const SceneChange& change) {
     testContext();
     Scene scene = loadScene(picture.scene);
+    scene.camera.position = picture.camera.value_or(scene.camera.position);
+    scene.camera.target = picture.target.value_or(scene.camera.target);
     change(scene);
     const World world(scene.world);
     const gpu::WorldBuffers buffers(world);

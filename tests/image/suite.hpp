@@ -29,6 +29,7 @@ struct SuitePicture {
     std::string baseline;  ///< the picture whose baseline it is compared with
     sunder::RenderSettings settings;
     sunder::WallColour colour = sunder::WallColour::Material;
+    std::optional<sunder::Vec3> camera, target;  ///< m, instead of the scene's
     /// Instead of the suite's limits.
     std::optional<int> threshold;
     std::optional<double> share, window, mean;

@@ -61,7 +61,7 @@ TEST_CASE("the baseline driver is one renderer of one version of Mesa") {
     CHECK_FALSE(suite.madeBaselines(device("NVIDIA H200/PCIe/SSE2", "4.1.0 NVIDIA 580.159.04")));
 }
 
-TEST_CASE("a picture may have a solver, another's baseline and limits of its own") {
+TEST_CASE("a picture may have a solver, another's baseline, and a camera and limits of its own") {
     const Suite suite = parse(kWood +
                               "[[picture]]\nname = \"b\"\nscene = \"wood\"\nframe = 3\n"
                               "solver = \"scatter\"\nbaseline = \"a\"\nthreshold = 12\n"
@@ -75,6 +75,11 @@ TEST_CASE("a picture may have a solver, another's baseline and limits of its own
     CHECK(baselineOf("x", b) == baselineOf("x", a));
     CHECK(b.settings.mesh == DrawnMesh::Simulation);
     CHECK_THROWS_AS(suite.picture("c"), InputError);
+
+    CHECK_FALSE(a.camera);
+    const Suite near = parse(kWood + "camera = [1, 2.5, 3]\ntarget = [0, -1, 0.5]\n");
+    CHECK(near.picture("a").camera == Vec3(1, 2.5, 3));
+    CHECK(near.picture("a").target == Vec3(0, -1, 0.5));
 
     CHECK(suite.limits(a, kBookworm).share == 0.002);
     const ComparisonLimits own = suite.limits(b, kBookworm);
@@ -97,6 +102,7 @@ TEST_CASE("a mistake in the suite is refused with its line") {
     CHECK_THAT(refusalOf(kWood + "solver = \"reference\"\n"),
                Contains("solver") && Contains("gather"));
     CHECK_THAT(refusalOf(kWood + "colour = 3\n"), Contains("colour"));
+    CHECK_THAT(refusalOf(kWood + "camera = [1, 2]\n"), Contains("camera"));
     CHECK_THAT(refusalOf(kWood + "share = 1.5\n"), Contains("share"));
     CHECK_THAT(refusalOf(kWood + "window = -0.1\n"), Contains("window"));
     CHECK_THAT(refusalOf(kWood + "mean = nan\n"), Contains("mean"));
