@@ -12,6 +12,11 @@ float bandCoverage(float distance, float halfWidth, float footprint) {
     return clamp((high - low) / footprint, 0.0, 1.0);
 }
 
+// Height (m) at `distance` from a joint's middle: a smooth bevel between the joint's bottom and the surface.
+float bevelHeight(float distance, float halfWidth, float bevel, float depth) {
+    return depth * smoothstep(-0.5 * bevel, 0.5 * bevel, abs(distance) - halfWidth);
+}
+
 // At `place` (m), for pixels of `footprint` (m, along each axis), on a face whose rest normal is along `faceAxis`. `wobble`
 // (m) moves the joint's edges.
 Joint jointAt(SurfaceLook look, vec3 place, vec3 footprint, int faceAxis, float wobble) {
@@ -26,8 +31,11 @@ Joint jointAt(SurfaceLook look, vec3 place, vec3 footprint, int faceAxis, float 
         float distance = look.clusters[axis] * (0.5 - abs(within[axis] - 0.5)) + wobble;
         float width = max(footprint[axis], 1e-5);
         open *= 1.0 - bandCoverage(distance, halfWidth, width);
-        float t = clamp((distance - halfWidth) / bevel + 0.5, 0.0, 1.0);
-        joint.slope[axis] = side * depth / bevel * 6.0 * t * (1.0 - t) * clamp(2.0 * bevel / width, 0.0, 1.0);
+        // The mean over the pixel, in which both sides of a narrow joint cancel out: at its centre alone, bevels narrower than
+        // a pixel would come out as dashes.
+        float from = side * distance - 0.5 * width, to = side * distance + 0.5 * width;
+        joint.slope[axis] =
+            (bevelHeight(to, halfWidth, bevel, depth) - bevelHeight(from, halfWidth, bevel, depth)) / width;
     }
     joint.coverage = int(look.clusters.w) == SUNDER_CLUSTERS_NONE ? 0.0 : 1.0 - open;
     if (int(look.clusters.w) == SUNDER_CLUSTERS_NONE) joint.slope = vec3(0.0);
