@@ -64,25 +64,20 @@ class GlfwWindow final : public Window {
         look();
         if (options.fullScreen) setFullScreen(true);
         glfwGetCursorPos(handle(), &cursorX_, &cursorY_);
+        input_ = taken();
     }
 
     void poll(double patience) override {
-        input_.keys.clear();
-        input_.clicks.clear();
-        input_.dropped.clear();
-        input_.wheel = 0;
         if (minimised()) patience = 0.1;
         if (patience > 0)
             glfwWaitEventsTimeout(patience);
         else
             glfwPollEvents();
         look();
-        // The desktop's coordinates are larger than pixels on some high-density screens.
-        const double density = now_.density;
-        input_.moveX = cursorX_ * density - input_.x;
-        input_.moveY = cursorY_ * density - input_.y;
-        input_.x = cursorX_ * density;
-        input_.y = cursorY_ * density;
+        // Whatever comes until the next time, as when the window fills the screen, is kept for it.
+        input_ = taken();
+        coming_.events.clear();
+        coming_.dropped.clear();
     }
     const Input& input() const override { return input_; }
     void swap() override { glfwSwapBuffers(handle()); }
@@ -142,63 +137,95 @@ class GlfwWindow final : public Window {
     }
 
     void listen() {
+        using Kind = InputEvent::Kind;
         glfwSetKeyCallback(handle(), [](GLFWwindow* w, int key, int code, int action, int) {
-            of(w).takeKey(keyOf(key, code), action);
+            if (action != GLFW_REPEAT) of(w).takeKey(key, code, action == GLFW_PRESS);
+        });
+        glfwSetCharCallback(handle(), [](GLFWwindow* w, unsigned character) {
+            of(w).happened(Kind::Character).character = character;
         });
         glfwSetMouseButtonCallback(handle(), [](GLFWwindow* w, int button, int action, int) {
-            of(w).takeButton(button, action);
+            of(w).takeButton(button, action == GLFW_PRESS);
         });
-        glfwSetCursorPosCallback(handle(), [](GLFWwindow* w, double x, double y) {
-            of(w).cursorX_ = x;
-            of(w).cursorY_ = y;
+        glfwSetCursorPosCallback(handle(),
+                                 [](GLFWwindow* w, double x, double y) { of(w).takeMove(x, y); });
+        glfwSetCursorEnterCallback(handle(), [](GLFWwindow* w, int entered) {
+            of(w).coming_.inside = entered != 0;
+            of(w).happened(entered ? Kind::Enter : Kind::Leave);
         });
-        glfwSetCursorEnterCallback(
-            handle(), [](GLFWwindow* w, int entered) { of(w).input_.inside = entered != 0; });
         glfwSetScrollCallback(handle(), [](GLFWwindow* w, double x, double y) {
-            of(w).input_.wheel += y != 0 ? y : x;  // macOS turns it with Shift held
-            of(w).input_.wheelWith = of(w).modifiers();
+            InputEvent& turned = of(w).happened(Kind::Wheel);
+            turned.wheelX = x;
+            turned.wheelY = y;
         });
         glfwSetDropCallback(handle(), [](GLFWwindow* w, int count, const char** paths) {
-            for (int i = 0; i < count; ++i) of(w).input_.dropped.emplace_back(paths[i]);
+            for (int i = 0; i < count; ++i) of(w).coming_.dropped.emplace_back(paths[i]);
         });
         glfwSetWindowFocusCallback(handle(), [](GLFWwindow* w, int focused) {
+            of(w).happened(focused ? Kind::Focus : Kind::Blur);
             // Releases that go elsewhere are never heard of.
             if (!focused) of(w).letGo();
         });
-        // Other callbacks may be put in front; they hand on what they get.
     }
-    void takeKey(Key key, int action) {
-        if (key == Key::None) return;
-        if (action == GLFW_PRESS) {
-            input_.keys.push_back({key, modifiers()});
-            input_.held.insert(key);
-        } else if (action == GLFW_RELEASE) {
-            input_.held.erase(key);
-        }
+    /// The event is for the caller to complete.
+    InputEvent& happened(InputEvent::Kind kind) {
+        InputEvent& event = coming_.events.emplace_back();
+        event.kind = kind;
+        event.x = cursorX_ * now_.density;
+        event.y = cursorY_ * now_.density;
+        event.glfw.modifiers = modifiers();
+        const auto held = [&](int mask) { return (event.glfw.modifiers & mask) != 0; };
+        event.with = {held(GLFW_MOD_SHIFT), held(GLFW_MOD_CONTROL | GLFW_MOD_SUPER),
+                      glfwGetKey(handle(), GLFW_KEY_LEFT_ALT) == GLFW_PRESS};  // right: AltGr
+        return event;
     }
-    void takeButton(int button, int action) {
+    void takeMove(double x, double y) {
+        const double fromX = std::exchange(cursorX_, x), fromY = std::exchange(cursorY_, y);
+        InputEvent& moved = happened(InputEvent::Kind::Move);
+        moved.moveX = (x - fromX) * now_.density;
+        moved.moveY = (y - fromY) * now_.density;
+    }
+    void takeKey(int code, int scancode, bool down) {
+        const Key key = keyOf(code, scancode);
+        InputEvent& event = happened(down ? InputEvent::Kind::KeyDown : InputEvent::Kind::KeyUp);
+        event.key = key;
+        event.glfw.key = code;
+        event.glfw.scancode = scancode;
+        if (!down)
+            coming_.held.erase(key);
+        else if (key != Key::None)
+            coming_.held.insert(key);
+    }
+    void takeButton(int button, bool down) {
         if (button < 0 || button >= kMouseButtons) return;
-        input_.buttonHeld[button] = action == GLFW_PRESS;
-        if (action != GLFW_PRESS) return;
-        const double density = now_.density;
-        input_.clicks.push_back({static_cast<MouseButton>(button), cursorX_ * density,
-                                 cursorY_ * density, modifiers()});
+        coming_.buttonHeld[button] = down;
+        happened(down ? InputEvent::Kind::Press : InputEvent::Kind::Release).button =
+            static_cast<MouseButton>(button);
     }
     void letGo() {
-        input_.held.clear();
-        std::fill(std::begin(input_.buttonHeld), std::end(input_.buttonHeld), false);
+        coming_.held.clear();
+        std::fill(std::begin(coming_.buttonHeld), std::end(coming_.buttonHeld), false);
+    }
+    Input taken() const {
+        Input input = coming_;
+        // The desktop's coordinates are larger than pixels on some high-density screens.
+        input.x = cursorX_ * now_.density;
+        input.y = cursorY_ * now_.density;
+        return input;
     }
 
-    /// As of the event that is being handled.
-    Modifiers modifiers() const {
-        const auto down = [&](int left, int right) {
-            return glfwGetKey(handle(), left) == GLFW_PRESS ||
-                   glfwGetKey(handle(), right) == GLFW_PRESS;
+    /// GLFW's bits, as of the event that is being handled: those that it hands on lack, on X11, the
+    /// key that the event is about.
+    int modifiers() const {
+        const auto bit = [&](int left, int right, int mask) {
+            const bool down = glfwGetKey(handle(), left) == GLFW_PRESS ||
+                              glfwGetKey(handle(), right) == GLFW_PRESS;
+            return down ? mask : 0;
         };
-        return {down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
-                down(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL) ||
-                    down(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER),
-                glfwGetKey(handle(), GLFW_KEY_LEFT_ALT) == GLFW_PRESS};  // the right one is AltGr
+        return bit(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT, GLFW_MOD_SHIFT) |
+               bit(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL, GLFW_MOD_CONTROL) |
+               bit(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT, GLFW_MOD_ALT) |
+               bit(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER, GLFW_MOD_SUPER);
     }
     /// Asks once a frame: on X11 each question is a way to the server and back.
     void look() {
@@ -223,7 +250,7 @@ class GlfwWindow final : public Window {
 
     GlfwLibrary library_;
     Handle window_;
-    Input input_;
+    Input input_, coming_;              // as of the last poll(), and since then
     double cursorX_ = 0, cursorY_ = 0;  // as the desktop measures
     int left_ = 0, top_ = 0;
     int width_, height_;  ///< as the desktop measures, when not full screen

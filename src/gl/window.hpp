@@ -49,29 +49,44 @@ struct Modifiers {
     bool shift = false, control = false, alt = false;
 };
 
-/// What mouse and keyboard did since the last Window::poll(), and what is held now. Places are in
-/// pixels of the framebuffer, from the top left. What was pressed comes with the keys held at that
-/// time: a frame may be long.
+/// Something that mouse or keyboard did, as it was at that time: a frame may be long, and hold a
+/// press, a way and a release. Places are in pixels of the framebuffer, from the top left.
+struct InputEvent {
+    enum class Kind {
+        Move,       ///< the pointer, by `moveX` and `moveY`
+        Enter,      ///< it came into the window
+        Leave,      ///< or left it
+        Press,      ///< `button`
+        Release,    ///< likewise
+        Wheel,      ///< `wheelX` and `wheelY`
+        KeyDown,    ///< `key`; repeats of a held key are left out
+        KeyUp,      ///< likewise
+        Character,  ///< `character` was typed
+        Focus,      ///< the window has the keyboard from now on
+        Blur,       ///< it has lost it; what was held is let go
+    };
+    Kind kind{};
+    double x = 0, y = 0;  ///< the pointer
+    Modifiers with;
+    double moveX = 0, moveY = 0;
+    MouseButton button{};
+    double wheelX = 0, wheelY = 0;  ///< notches, to the left and away from the hand is positive
+    Key key = Key::None;
+    unsigned character = 0;  ///< Unicode
+    /// As GLFW has them, for the interface's own backend.
+    struct {
+        int key = 0, scancode = 0, modifiers = 0;
+    } glfw;
+};
+
+/// What mouse and keyboard did since the last Window::poll(), in order, and how they are now.
 struct Input {
-    struct KeyPress {
-        Key key;
-        Modifiers with;
-    };
-    struct Click {
-        MouseButton button;
-        double x, y;
-        Modifiers with;
-    };
-    std::vector<KeyPress> keys;  ///< in order; repeats of a held key are left out
-    std::vector<Click> clicks;   ///< buttons as they went down, in order
+    std::vector<InputEvent> events;
     std::set<Key> held;
     bool buttonHeld[kMouseButtons] = {};
     bool anyButton() const { return buttonHeld[0] || buttonHeld[1] || buttonHeld[2]; }
-    bool inside = true;           ///< the window, the pointer
-    double x = 0, y = 0;          ///< the pointer
-    double moveX = 0, moveY = 0;  ///< how far it went
-    double wheel = 0;             ///< notches, away from the hand is positive
-    Modifiers wheelWith;
+    bool inside = true;                ///< the window, the pointer
+    double x = 0, y = 0;               ///< the pointer
     std::vector<std::string> dropped;  ///< paths of files that were dragged onto the window
 };
 
@@ -90,7 +105,7 @@ class Window : public Context {
     /// Takes in what happened since the last time. Waits up to `patience` s for something to
     /// happen; 0.1 s while the window is minimised, as there is nothing to draw.
     virtual void poll(double patience) = 0;
-    /// Nothing is held once the focus is lost.
+    /// Of that time. Nothing is held once the focus is lost.
     virtual const Input& input() const = 0;
     virtual void swap() = 0;
     /// Binds its framebuffer, all of it; colours are written as they are, without a conversion to

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace sunder::view {
 namespace {
 
 using gl::Input;
+using gl::InputEvent;
 using gl::Key;
 
 constexpr double kShotsApart = 0.12;  // s, while the mouse is dragged
@@ -107,26 +107,14 @@ bool pressKey(Session& session, Key key, const gl::Modifiers& with) {
     return false;
 }
 
-/// Camera by held keys.
-void fly(OrbitCamera& camera, const Input& input, double elapsed) {
-    const auto axis = [&](Key back, Key ahead) {
-        return static_cast<double>(input.held.count(ahead)) -
-               static_cast<double>(input.held.count(back));
-    };
-    const double step = std::min(elapsed, 0.1) * camera.distance() * 0.8;
-    camera.move(step * axis(gl::key('S'), gl::key('W')), step * axis(gl::key('A'), gl::key('D')),
-                step * axis(gl::key('Q'), gl::key('E')));
-    const double turn = 1.5 * std::min(elapsed, 0.1);
-    camera.orbit(turn * axis(Key::Left, Key::Right), turn * axis(Key::Down, Key::Up));
-}
-
-void turnWheel(Session& session, const Input& input) {
+void turnWheel(Session& session, const InputEvent& turned) {
     Settings& settings = session.settings;
-    const double factor = std::pow(1.1, input.wheel);
-    if (input.wheelWith.control) {
+    // macOS turns it to the side with Shift held.
+    const double factor = std::pow(1.1, turned.wheelY != 0 ? turned.wheelY : turned.wheelX);
+    if (turned.with.control) {
         settings.radius = std::clamp(settings.radius * factor, 0.02, 2.0);
         session.log.add("radius", {{"value", settings.radius}});
-    } else if (input.wheelWith.shift) {
+    } else if (turned.with.shift) {
         const bool shot = settings.tool == Tool::Shoot;
         double& strength = shot ? settings.shot : settings.push;
         strength = std::clamp(strength * factor, 1.0, shot ? 150.0 : 2000.0);
@@ -138,71 +126,108 @@ void turnWheel(Session& session, const Input& input) {
 
 }  // namespace
 
-bool Controls::handle(Session& session, const Interface& ui, double elapsed) {
+void Controls::begin(double elapsed) {
     sinceShot_ += elapsed;
-    for (const std::string& path : session.window.input().dropped) session.openScene(path);
-    handleMouse(session, ui);
-    return handleKeys(session, ui, elapsed);
+    moved_ = false;
+    aim_.reset();
+    taps_.clear();
+    tapped_.clear();
 }
 
-bool Controls::handleKeys(Session& session, const Interface& ui, double elapsed) {
-    if (ui.wantsKeyboard()) return true;
-    const Input& input = session.window.input();
-    for (const Input::KeyPress& pressed : input.keys)
-        if (pressKey(session, pressed.key, pressed.with)) return false;
-    fly(session.camera, input, elapsed);
+bool Controls::take(Session& session, const Interface& ui, const InputEvent& event) {
+    const bool over = session.area.contains(event.x, event.y) && !ui.wantsMouse();
+    switch (event.kind) {
+        case InputEvent::Kind::Move:
+            move(session, event);
+            break;
+        case InputEvent::Kind::Press:
+            if (over) press(session, event);
+            break;
+        case InputEvent::Kind::Release:
+            release(event);
+            break;
+        case InputEvent::Kind::Wheel:
+            if (over) turnWheel(session, event);
+            break;
+        case InputEvent::Kind::KeyDown:
+            if (ui.wantsKeyboard()) break;
+            tapped_.insert(event.key);
+            return !pressKey(session, event.key, event.with);
+        case InputEvent::Kind::Blur:
+            drag_ = Drag::None;
+            break;
+        default:
+            break;
+    }
     return true;
 }
 
-void Controls::handleMouse(Session& session, const Interface& ui) {
-    const Input& input = session.window.input();
-    // While a button is held, the pointer may go anywhere.
-    const bool over = (input.inside || input.anyButton()) &&
-                      session.area.contains(input.x, input.y) && !ui.wantsMouse();
-
-    // A press, its way and its release may come in one frame: what it started is done all the same.
-    if (std::exchange(released_, !input.anyButton())) drag_ = Drag::None;
-    for (const Input::Click& click : input.clicks)
-        if (session.area.contains(click.x, click.y) && !ui.wantsMouse()) press(session, click);
-
-    // Where the mouse points. That costs a GPU solver's state and a look at every cell: seldom
-    // while no button is pressed, and more so while the mouse rests.
-    const bool moved = input.moveX != 0 || input.moveY != 0;
-    if (!over)
-        session.hovered.reset();
-    else if (drag_ == Drag::Hit)
-        lookAt(session, input.x, input.y);
-    else if (drag_ == Drag::None && (moved || ++sinceLook_ > 15))
-        hovering_.now([&] { lookAt(session, input.x, input.y); });
-
-    if (over && input.wheel != 0) turnWheel(session, input);
-    if (drag_ == Drag::Orbit)
-        session.camera.orbit(-5 * input.moveX / session.area.height,
-                             5 * input.moveY / session.area.height);
-    if (drag_ == Drag::Pan)
-        session.camera.pan(input.moveX / session.area.height, -input.moveY / session.area.height);
-    if (drag_ == Drag::Hit && session.settings.tool == Tool::Shoot && moved &&
-        sinceShot_ > kShotsApart)
-        hit(session, input.x, input.y);
+void Controls::move(Session& session, const InputEvent& moved) {
+    moved_ = true;
+    const double x = moved.moveX / session.area.height, y = moved.moveY / session.area.height;
+    if (drag_ == Drag::Orbit) session.camera.orbit(-5 * x, 5 * y);
+    if (drag_ == Drag::Pan) session.camera.pan(x, -y);
 }
 
-void Controls::press(Session& session, const Input::Click& click) {
-    if (click.button != gl::MouseButton::Left) {
-        const bool pan = click.button == gl::MouseButton::Middle || click.with.shift;
+void Controls::press(Session& session, const InputEvent& pressed) {
+    button_ = pressed.button;
+    if (pressed.button != gl::MouseButton::Left) {
+        const bool pan = pressed.button == gl::MouseButton::Middle || pressed.with.shift;
         drag_ = pan ? Drag::Pan : Drag::Orbit;
         return;
     }
-    lookAt(session, click.x, click.y);
+    lookAt(session, pressed.x, pressed.y);
     drag_ = session.hovered ? Drag::Hit : Drag::Orbit;
     if (!session.hovered) return;
-    if (click.with.alt || click.with.control) {
+    aim_ = {*session.hovered, session.rayAt(pressed.x, pressed.y)};
+    if (pressed.with.alt || pressed.with.control) {
         session.look(*session.hovered);
         drag_ = Drag::None;
     } else if (session.settings.tool == Tool::Look) {
         session.look(*session.hovered);
     } else if (session.settings.tool == Tool::Shoot) {
-        hit(session, click.x, click.y);
+        hit(session, pressed.x, pressed.y);
     }
+}
+
+void Controls::release(const InputEvent& released) {
+    if (released.button != button_) return;
+    if (drag_ == Drag::Hit && aim_) taps_.push_back(*aim_);
+    aim_.reset();
+    drag_ = Drag::None;
+}
+
+void Controls::goOn(Session& session, const Interface& ui, double elapsed) {
+    const Input& input = session.window.input();
+    // While a button is held, the pointer may go anywhere.
+    const bool over = (input.inside || input.anyButton()) &&
+                      session.area.contains(input.x, input.y) && !ui.wantsMouse();
+    // Where the mouse points. That costs a GPU solver's state and a look at every cell: seldom
+    // while no button is pressed, and more so while the mouse rests.
+    if (!over)
+        session.hovered.reset();
+    else if (drag_ == Drag::Hit)
+        lookAt(session, input.x, input.y);
+    else if (drag_ == Drag::None && (moved_ || ++sinceLook_ > 15))
+        hovering_.now([&] { lookAt(session, input.x, input.y); });
+
+    if (drag_ == Drag::Hit && session.settings.tool == Tool::Shoot && moved_ &&
+        sinceShot_ > kShotsApart)
+        hit(session, input.x, input.y);
+    if (!ui.wantsKeyboard()) fly(session, elapsed);
+}
+
+/// The camera, by keys. One that was only tapped was held for this frame.
+void Controls::fly(Session& session, double elapsed) const {
+    OrbitCamera& camera = session.camera;
+    const std::set<Key>& held = session.window.input().held;
+    const auto down = [&](Key key) { return held.count(key) || tapped_.count(key) ? 1.0 : 0.0; };
+    const auto axis = [&](Key back, Key ahead) { return down(ahead) - down(back); };
+    const double time = std::min(elapsed, 0.1), step = time * camera.distance() * 0.8;
+    camera.move(step * axis(gl::key('S'), gl::key('W')), step * axis(gl::key('A'), gl::key('D')),
+                step * axis(gl::key('Q'), gl::key('E')));
+    const double turn = 1.5 * time;
+    camera.orbit(turn * axis(Key::Left, Key::Right), turn * axis(Key::Down, Key::Up));
 }
 
 void Controls::lookAt(Session& session, double x, double y) {
@@ -219,10 +244,14 @@ void Controls::hit(Session& session, double x, double y) {
 
 void Controls::holdHits(Session& session, double seconds) {
     const Tool tool = session.settings.tool;
-    if (drag_ != Drag::Hit || !session.hovered || seconds <= 0) return;
-    if (tool != Tool::Push && tool != Tool::Pull) return;
-    const Input& input = session.window.input();
-    session.hit(*session.hovered, session.rayAt(input.x, input.y), seconds);
+    if (seconds <= 0 || (tool != Tool::Push && tool != Tool::Pull)) return;
+    if (drag_ == Drag::Hit && session.hovered) {
+        const Input& input = session.window.input();
+        session.hit(*session.hovered, session.rayAt(input.x, input.y), seconds);
+    }
+    // Held for less than a frame: it is not known for how much of it.
+    for (const Aim& tap : taps_)
+        session.hit(tap.spot, tap.direction, seconds / static_cast<double>(taps_.size()));
 }
 
 }  // namespace sunder::view

@@ -1,4 +1,8 @@
 #pragma once
+#include <optional>
+#include <set>
+#include <vector>
+
 #include "view/every.hpp"
 #include "view/interface.hpp"
 #include "view/session.hpp"
@@ -8,24 +12,40 @@ namespace sunder::view {
 /// What mouse and keyboard do outside the panels.
 class Controls {
   public:
-    /// Once a frame, before time moves; `elapsed`: s since the last one. False: the user quits.
-    bool handle(Session&, const Interface&, double elapsed);
+    /// Once a frame, before the rest; `elapsed`: s since the last one.
+    void begin(double elapsed);
+    /// Something that mouse or keyboard did, in order; a press, a release, the wheel or a key after
+    /// panels have begun a frame with it. False: the user quits.
+    bool take(Session&, const Interface&, const gl::InputEvent&);
+    /// What goes on as long as something is held, and where the mouse is now. After all of that,
+    /// before time moves.
+    void goOn(Session&, const Interface&, double elapsed);
     /// Pushes that go on while a button is held, for `seconds` of simulated time.
     void holdHits(Session&, double seconds);
 
   private:
     enum class Drag { None, Hit, Orbit, Pan };
+    /// Where a button went down.
+    struct Aim {
+        Spot spot;
+        Vec3 direction;
+    };
 
-    bool handleKeys(Session&, const Interface&, double elapsed);
-    void handleMouse(Session&, const Interface&);
-    void press(Session&, const gl::Input::Click&);
+    void move(Session&, const gl::InputEvent&);
+    void press(Session&, const gl::InputEvent&);
+    void release(const gl::InputEvent&);
+    void fly(Session&, double elapsed) const;
     void lookAt(Session&, double x, double y);
     void hit(Session&, double x, double y);
 
     Drag drag_ = Drag::None;
-    bool released_ = false;  ///< no button is held any more, since the last frame
-    double sinceShot_ = 0;   ///< s
-    int sinceLook_ = 0;      ///< frames since the spot under a resting mouse was sought
+    gl::MouseButton button_{};  ///< that holds it
+    std::optional<Aim> aim_;    ///< of a drag that began in this frame
+    std::vector<Aim> taps_;     ///< of those that ended in it, too
+    std::set<gl::Key> tapped_;  ///< keys that went down in this frame
+    bool moved_ = false;        ///< in this frame, the mouse
+    double sinceShot_ = 0;      ///< s
+    int sinceLook_ = 0;         ///< frames since the spot under a resting mouse was sought
     Every hovering_{0, 0.05};
 };
 

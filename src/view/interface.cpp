@@ -1,5 +1,6 @@
 #include "view/interface.hpp"
 
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
@@ -8,6 +9,9 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
+#include <iterator>
+#include <limits>
 
 namespace sunder::view {
 namespace {
@@ -100,7 +104,15 @@ Interface::Interface(gl::Window& window) : window_(window) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;  // Settings remember what is worth it
     io.ConfigWindowsMoveFromTitleBarOnly = true;
-    ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
+#if IMGUI_VERSION_NUM >= 18700
+    io.ConfigInputTrickleEventQueue = false;  // feed() and its callers know better what waits
+#endif
+    // Without callbacks of its own: they would hand on at once what comes, whatever else the frame
+    // has in store.
+    ImGui_ImplGlfw_InitForOpenGL(window.handle(), false);
+    mouse_.inside = window.input().inside;
+    mouse_.x = window.input().x;
+    mouse_.y = window.input().y;
     ImGui_ImplOpenGL3_Init("#version 410 core");
 }
 
@@ -119,6 +131,77 @@ void Interface::setScale(float scale) {
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
+void Interface::feed(const gl::InputEvent& event) {
+    using Kind = gl::InputEvent::Kind;
+    GLFWwindow* const window = window_.handle();
+    const auto& glfw = event.glfw;
+    fed_ = true;
+    mouse_.x = event.x;
+    mouse_.y = event.y;
+    switch (event.kind) {
+        case Kind::Move:
+            break;
+        case Kind::Enter:
+        case Kind::Leave:
+            mouse_.inside = event.kind == Kind::Enter;
+            ImGui_ImplGlfw_CursorEnterCallback(window, mouse_.inside);
+            break;
+        case Kind::Press:
+        case Kind::Release:
+            mouse_.held[static_cast<int>(event.button)] = event.kind == Kind::Press;
+            break;
+        case Kind::Wheel:
+            mouse_.wheelX += event.wheelX;
+            mouse_.wheelY += event.wheelY;
+            break;
+        case Kind::KeyDown:
+        case Kind::KeyUp:
+            ImGui_ImplGlfw_KeyCallback(window, glfw.key, glfw.scancode,
+                                       event.kind == Kind::KeyDown ? GLFW_PRESS : GLFW_RELEASE,
+                                       glfw.modifiers);
+            break;
+        case Kind::Character:
+            ImGui_ImplGlfw_CharCallback(window, event.character);
+            break;
+        case Kind::Focus:
+        case Kind::Blur:
+            ImGui_ImplGlfw_WindowFocusCallback(window, event.kind == Kind::Focus);
+            break;
+    }
+    modifiers_ = glfw.modifiers;
+}
+
+/// Where the mouse was when that happened which was fed last. ImGui's backend for GLFW asks GLFW,
+/// which only knows how things are at the frame's end: before 1.87 of the mouse, and from then on
+/// of the keys that go with it.
+void Interface::pointMouse() const {
+    ImGuiIO& io = ImGui::GetIO();
+    const bool held = std::any_of(std::begin(mouse_.held), std::end(mouse_.held), std::identity());
+    constexpr float kNowhere = -std::numeric_limits<float>::max();
+    const float d = density();
+    const ImVec2 place = mouse_.inside || held ? ImVec2(static_cast<float>(mouse_.x) / d,
+                                                        static_cast<float>(mouse_.y) / d)
+                                               : ImVec2(kNowhere, kNowhere);
+    const auto wheelX = static_cast<float>(mouse_.wheelX);
+    const auto wheelY = static_cast<float>(mouse_.wheelY);
+#if IMGUI_VERSION_NUM >= 18700
+    io.AddMousePosEvent(place.x, place.y);
+    for (int i = 0; i < gl::kMouseButtons; ++i) io.AddMouseButtonEvent(i, mouse_.held[i]);
+    if (wheelX != 0 || wheelY != 0) io.AddMouseWheelEvent(wheelX, wheelY);
+#if IMGUI_VERSION_NUM >= 18900
+    io.AddKeyEvent(ImGuiMod_Ctrl, (modifiers_ & GLFW_MOD_CONTROL) != 0);
+    io.AddKeyEvent(ImGuiMod_Shift, (modifiers_ & GLFW_MOD_SHIFT) != 0);
+    io.AddKeyEvent(ImGuiMod_Alt, (modifiers_ & GLFW_MOD_ALT) != 0);
+    io.AddKeyEvent(ImGuiMod_Super, (modifiers_ & GLFW_MOD_SUPER) != 0);
+#endif
+#else
+    io.MousePos = place;
+    std::copy(std::begin(mouse_.held), std::end(mouse_.held), io.MouseDown);
+    io.MouseWheelH += wheelX;
+    io.MouseWheel += wheelY;
+#endif
+}
+
 void Interface::begin(double scale) {
     // Where the desktop's coordinates are larger than pixels, it scales the interface itself.
     const float own = window_.contentScale() / std::max(1.f, density());
@@ -126,7 +209,14 @@ void Interface::begin(double scale) {
     widgets_.clear();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    pointMouse();
+    mouse_.wheelX = mouse_.wheelY = 0;
+    fed_ = false;
     ImGui::NewFrame();
+}
+
+void Interface::end() {
+    ImGui::EndFrame();
 }
 
 void Interface::clear() const {

@@ -21,13 +21,20 @@ class Interface {
     Interface(const Interface&) = delete;
     Interface& operator=(const Interface&) = delete;
 
-    /// Begins a frame. `scale` is on top of the screen's own; letters are made anew when it
-    /// changes.
+    /// What mouse or keyboard did; the next frame of panels takes it in. One such frame sees all
+    /// moves as one, but only one press, release or key: what comes next waits for the one after.
+    void feed(const gl::InputEvent&);
+    /// Something was fed that no frame of panels has seen.
+    bool fed() const { return fed_; }
+    /// Begins a frame of panels. `scale` is on top of the screen's own; letters are made anew when
+    /// it changes.
     void begin(double scale);
+    /// Ends it without drawing.
+    void end();
     /// Fills the window with what panels stand on, before anything is drawn: blending it into every
     /// pixel of a panel costs a software driver most of what the interface costs.
     void clear() const;
-    /// Ends it, and draws.
+    /// Ends it, and draws it.
     void draw();
 
     /// Pixels (of the interface) for what is this long on a plain screen at scale 1.
@@ -73,10 +80,18 @@ class Interface {
     /// Whether a tooltip is to be shown.
     static bool hovered();
     void setScale(float scale);
+    void pointMouse() const;
 
     gl::Window& window_;
     float scale_ = 0;
-    bool letGo_ = false;
+    bool letGo_ = false, fed_ = false;
+    struct {
+        double x = 0, y = 0;  ///< pixels of the framebuffer
+        bool inside = false;
+        bool held[gl::kMouseButtons] = {};
+        double wheelX = 0, wheelY = 0;  ///< notches since the last frame of panels
+    } mouse_;
+    int modifiers_ = 0;  ///< as GLFW has them
     std::map<std::string, Rectangle> widgets_;
 };
 

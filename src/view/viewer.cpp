@@ -55,9 +55,12 @@ class Viewer {
     bool frame(double elapsed) {
         const auto start = Instant::now();
         session_.log.beginFrame(frames_);
+        for (const std::string& path : window_.input().dropped) session_.openScene(path);
+        controls_.begin(elapsed);
+        if (!replay()) return false;
         interface_.begin(session_.settings.interfaceScale);
         layOut();
-        const bool goOn = controls_.handle(session_, interface_, elapsed);
+        controls_.goOn(session_, interface_, elapsed);
         session_.measurements.frame.add(1000 * elapsed);
         double other = simulate(elapsed);
         observe();
@@ -76,6 +79,34 @@ class Viewer {
         ++frames_;
         sayErrors();
         logStatus();
+        return true;
+    }
+
+    /// What mouse and keyboard did since the last frame, one after the other. Panels have a frame
+    /// of their own, which nobody sees, for each that they may have to tell from the next: ImGui
+    /// sees how things are and not what happened, and widgets want the mouse over them before a
+    /// button goes down, and down before it goes up. False: the user quits.
+    bool replay() {
+        using Kind = gl::InputEvent::Kind;
+        for (const gl::InputEvent& event : window_.input().events) {
+            const bool counts = event.kind == Kind::Press || event.kind == Kind::Release ||
+                                event.kind == Kind::Wheel || event.kind == Kind::KeyDown ||
+                                event.kind == Kind::KeyUp;
+            if (counts && interface_.fed()) showPanels(nullptr);
+            interface_.feed(event);
+            if (!(counts ? showPanels(&event) : controls_.take(session_, interface_, event)))
+                return false;
+        }
+        return true;
+    }
+
+    /// To themselves alone, with what has just happened.
+    bool showPanels(const gl::InputEvent* event) {
+        interface_.begin(session_.settings.interfaceScale);
+        layOut();
+        const bool goOn = !event || controls_.take(session_, interface_, *event);
+        drawPanels(session_, interface_, drafts_);
+        interface_.end();
         return goOn;
     }
 
@@ -185,6 +216,8 @@ class Viewer {
         nlohmann::ordered_json materials = nlohmann::ordered_json::array();
         for (const Material& material : scene.world.materials) materials.push_back(material.name);
         const ViewArea& area = session_.area;
+        const CameraDescription camera = session_.camera.description();
+        const Vec3 &eye = camera.position, &target = camera.target;
         session_.log.add(
             "status",
             {{"time", session_.stage->simulation.time()},
@@ -211,6 +244,10 @@ class Viewer {
              {"focused", window_.focused()},
              {"full_screen", window_.fullScreen()},
              {"view", {area.left, area.top, area.width, area.height}},
+             {"camera",
+              {{"position", {eye[0], eye[1], eye[2]}},
+               {"target", {target[0], target[1], target[2]}},
+               {"field_of_view", camera.fieldOfView}}},
              {"fps", m.framesPerSecond()},
              {"ms",
               {{"simulation", m.simulation.mean(30)},

@@ -84,6 +84,17 @@ int Child::wait(double seconds) {
     return code_;
 }
 
+void Child::pause() {
+    int status = 0;
+    if (kill(pid_, SIGSTOP) != 0 || waitpid(pid_, &status, WUNTRACED) != pid_ ||
+        !WIFSTOPPED(status))
+        throw std::runtime_error("the program cannot be stopped: it has ended");
+}
+
+void Child::resume() {
+    kill(pid_, SIGCONT);
+}
+
 Screen::Screen(int width, int height, int dpi) {
     std::string name = (fs::temp_directory_path() / "sunder-screen-XXXXXX").string();
     if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");

@@ -21,6 +21,9 @@ class Child {
     bool running();
     /// Waits up to so many seconds; −1: it still runs, 128 + n: signal n ended it.
     int wait(double seconds);
+    /// Stops it until resume(), as a machine does that is busy with something else.
+    void pause();
+    void resume();
 
   private:
     pid_t pid_ = -1;

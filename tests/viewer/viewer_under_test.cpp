@@ -120,8 +120,20 @@ std::array<double, 4> ViewerUnderTest::place(const std::string& widget) {
 
 void ViewerUnderTest::clickAt(const std::string& widget, double x, double y, int button,
                               const std::string& held) {
+    clickHere(moveToWidget(widget, x, y), button, held);
+}
+
+std::string ViewerUnderTest::moveToWidget(const std::string& widget, double x, double y) {
     const auto [left, top, right, bottom] = place(widget);
-    clickHere(moveTo(left + x * (right - left), top + y * (bottom - top)), button, held);
+    return moveTo(left + x * (right - left), top + y * (bottom - top));
+}
+
+void ViewerUnderTest::inOneFrame(const std::string& arguments) {
+    // A frame begun by a stopped viewer has seen none of it, and the next one sees all of it.
+    child_.pause();
+    screen_.act(arguments);
+    child_.resume();
+    freshStatus();
 }
 
 void ViewerUnderTest::clickHere(const std::string& move, int button, const std::string& held) {

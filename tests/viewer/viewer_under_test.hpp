@@ -42,6 +42,12 @@ class ViewerUnderTest {
     void press(int button = 1);
     void release(int button = 1);
 
+    /// xdotool with these arguments, all of whose events come in one frame, however fast it is.
+    void inOneFrame(const std::string& arguments);
+    /// xdotool's words for a move to the middle of a widget, and to a place of the scene.
+    std::string moveToWidget(const std::string& widget, double x = 0.5, double y = 0.5);
+    std::string moveToScene(double x, double y);
+
     // --- the keyboard ---
     /// By xdotool's name, or by its place on the keyboard: a keycode from 10 on.
     void key(const std::string& name);
@@ -73,7 +79,6 @@ class ViewerUnderTest {
     const std::vector<Json>& lines();
     Json newest(const std::string& event);
     void clickHere(const std::string& move, int button, const std::string& held);
-    std::string moveToScene(double x, double y);
     void enter(const std::string& text);
 
     const Screen& screen_;
