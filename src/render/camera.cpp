@@ -18,6 +18,10 @@ float groundExtent(const SceneBounds& bounds, const glm::vec3& eye) {
     return 12 * (away + bounds.radius()) + 60;
 }
 
+float nearestPlane(const SceneBounds& bounds) {
+    return 1e-3f * std::max(bounds.radius(), 1.f);
+}
+
 Camera makeCamera(const CameraDescription& description, float aspect, const SceneBounds& bounds) {
     Camera camera;
     camera.eye =
@@ -34,12 +38,14 @@ Camera makeCamera(const CameraDescription& description, float aspect, const Scen
     float near = 0.5f * distanceToBox(camera.eye, bounds.lowAir, bounds.highAir);
     float far =
         glm::length(camera.eye - 0.5f * (bounds.low + bounds.high)) + 4 * bounds.radius() + 10;
+    const float fieldOfView = glm::radians(static_cast<float>(description.fieldOfView));
     if (bounds.ground) {
-        near = std::min(near, 0.4f * std::abs(camera.eye.y));
+        // A wide picture's near plane reaches down to the ground from further up.
+        const float share = std::min(0.4f, 0.9f * std::cos(0.5f * fieldOfView));
+        near = std::min(near, share * std::abs(camera.eye.y));
         far = std::max(far, 1.5f * groundExtent(bounds, camera.eye));
     }
-    near = std::max(near, 1e-3f * std::max(bounds.radius(), 1.f));
-    const float fieldOfView = glm::radians(static_cast<float>(description.fieldOfView));
+    near = std::max(near, nearestPlane(bounds));
     camera.projection = glm::perspective(fieldOfView, aspect, near, far);
     return camera;
 }

@@ -16,6 +16,9 @@ struct Camera {
 /// How far the ground is drawn, m; it has faded into the haze by then.
 float groundExtent(const SceneBounds&, const glm::vec3& eye);
 
+/// How near to the eye the near plane may come, m.
+float nearestPlane(const SceneBounds&);
+
 /// `aspect` is width / height.
 Camera makeCamera(const CameraDescription&, float aspect, const SceneBounds&);
 

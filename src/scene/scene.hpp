@@ -22,6 +22,7 @@ struct Scene {
     int substeps = 50;  ///< per 1/60 s, 1 to 10000
     WorldDescription world;
     CameraDescription camera;
+    bool ownCamera = false;  ///< its file says where the camera is
 };
 
 /// Reads a scene: a preset's name, or a path to a TOML file (anything with a '/', '\' or ending in

@@ -55,9 +55,11 @@ void readContact(const TableReader& root, WorldDescription& world) {
                       "out, or remove the objects");
 }
 
-void readCamera(const TableReader& root, CameraDescription& camera) {
+void readCamera(const TableReader& root, Scene& scene) {
     const auto table = root.table("camera", {"position", "target", "field_of_view"});
     if (!table) return;
+    scene.ownCamera = true;
+    CameraDescription& camera = scene.camera;
     const Range coordinate{-kMaxLength, kMaxLength, "m"};
     table->read("position", camera.position, coordinate);
     table->read("target", camera.target, coordinate);
@@ -90,7 +92,7 @@ Scene parseScene(std::string_view text, const std::string& file,
     readObjects(root, world);
     readRoom(root, world);
     readContact(root, world);
-    readCamera(root, scene.camera);
+    readCamera(root, scene);
 
     MaterialLibrary library(folder);
     library.addOwn(root);

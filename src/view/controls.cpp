@@ -84,7 +84,7 @@ bool pressKey(Session& session, Key key, const gl::Modifiers& with) {
             session.help = !session.help;
             break;
         case static_cast<int>(Key::Home):
-            session.camera.reset();
+            session.lookHome();
             break;
         case static_cast<int>(Key::F11):
             session.setFullScreen(!session.window.fullScreen());

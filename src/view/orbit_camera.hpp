@@ -1,16 +1,26 @@
 #pragma once
+#include <optional>
+
 #include "scene/scene.hpp"
 
 namespace sunder::view {
 
-/// A camera that turns around a point. Distances in m, angles in radians.
+/// A camera that turns around a point. Distances in m, angles in radians. Where there is ground, at
+/// y = 0, its eye stays above it and it looks at nothing below: it turns along the ground, and is
+/// lifted where a scene has it lower.
 class OrbitCamera {
   public:
-    explicit OrbitCamera(const CameraDescription& home) { setHome(home); }
+    /// `clearance`: of the eye above the ground; none: there is no ground.
+    explicit OrbitCamera(const CameraDescription& home, std::optional<double> clearance = {}) {
+        setHome(home, clearance);
+    }
 
-    /// Where reset() goes; goes there.
-    void setHome(const CameraDescription&);
-    void reset() { setHome(home_); }
+    /// Goes there.
+    void setHome(const CameraDescription&, std::optional<double> clearance = {});
+    /// Of the world as it is from now on.
+    void setClearance(std::optional<double>);
+    /// Since setHome(), by one of the following.
+    bool moved() const { return moved_; }
 
     /// Turns it by so many radians to the right and up, around its target.
     void orbit(double right, double up);
@@ -29,15 +39,22 @@ class OrbitCamera {
     /// The opposite: x and y of a place in the picture, and its depth, m, along the view; not
     /// positive behind the camera, where x and y mean nothing.
     Vec3 project(const Vec3& place, double aspect) const;
+    /// m, to the right, up and ahead of the eye.
+    Vec3 inView(const Vec3& place) const;
     Vec3 forward() const;  ///< of length 1
     double distance() const { return distance_; }
 
   private:
     void keepNear();
+    void keepAbove();
+    /// Pitch at which the eye is as low as it may be.
+    double lowest() const;
+    Vec3 eye() const { return target_ - distance_ * forward(); }
     Vec3 right() const;
     Vec3 up() const { return right().cross(forward()); }
 
-    CameraDescription home_;
+    std::optional<double> clearance_;
+    bool moved_ = false;
     Vec3 target_{0, 0, 0};
     double distance_ = 1, yaw_ = 0, pitch_ = 0, fieldOfView_ = 45;
 };

@@ -10,6 +10,7 @@
 #include "render/legend.hpp"
 #include "scene/scene_writer.hpp"
 #include "view/every.hpp"
+#include "view/framing.hpp"
 
 namespace sunder::view {
 namespace {
@@ -43,7 +44,7 @@ Session::Session(gl::Window& shown, const Options& options, Settings remembered)
         tryShaders();
     }
     clock.setStep(stage->simulation.world().step());
-    camera.setHome(opened_.camera);
+    lookHome();
     log.add("started", {{"gl_renderer", window.info().renderer},
                         {"gl_version", window.info().version},
                         {"scene", opened_.name},
@@ -109,7 +110,7 @@ void Session::openScene(const std::string& nameOrPath) {
         opened_ = previous;
         return;
     }
-    camera.setHome(opened_.camera);
+    lookHome();
     log.add("scene", {{"value", opened_.name}});
 }
 
@@ -227,6 +228,30 @@ void Session::setVsync(bool wanted) {
 void Session::setSamples(int samples) {
     settings.samples = samples;
     log.add("samples", {{"value", samples}});
+}
+
+bool Session::composed() const {
+    const auto& then = opened_.world.bodies;
+    const auto& now = scene().world.bodies;
+    const auto alike = [](const BodyDescription& a, const BodyDescription& b) {
+        return a.size == b.size && a.position == b.position;
+    };
+    return opened_.ownCamera && std::equal(then.begin(), then.end(), now.begin(), now.end(), alike);
+}
+
+void Session::lookHome() {
+    const World& world = stage->simulation.world();
+    camera.setHome(framed(opened_.camera, world, area.aspect(), composed()),
+                   groundClearance(world, opened_.camera));
+}
+
+void Session::keepHome() {
+    const std::array<int, 3> now{area.width, area.height, layout_};
+    if (std::exchange(homeFor_, now) == now) return;
+    if (camera.moved())
+        camera.setClearance(groundClearance(stage->simulation.world(), opened_.camera));
+    else
+        lookHome();
 }
 
 Vec3 Session::rayAt(double x, double y) const {

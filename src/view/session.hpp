@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <chrono>
 #include <deque>
 #include <filesystem>
@@ -79,6 +80,13 @@ class Session {
     void setVsync(bool);
     void setSamples(int);
 
+    // --- the camera ---
+    /// Where the scene has it, as far back as it takes to see the wall.
+    void lookHome();
+    /// Once it is known how large the view is: the same where view or wall have another shape,
+    /// unless the user has moved the camera.
+    void keepHome();
+
     // --- hits ---
     /// Direction of what is at a place of the window.
     Vec3 rayAt(double x, double y) const;
@@ -145,9 +153,13 @@ class Session {
     /// Builds everything with the folder's shaders, or says why not.
     void tryShaders();
 
+    /// Whether the scene's file has its camera for the walls as they are.
+    bool composed() const;
+
     Scene opened_;
     double buildTime_ = 0;
     int generation_ = 0, layout_ = 0;
+    std::array<int, 3> homeFor_{};  ///< width and height of the view, and layout
     std::vector<Push> pushes_;
     bool pictureWanted_ = false;
     std::optional<Recorder> recorder_;

@@ -44,6 +44,7 @@ class Viewer {
             const double elapsed = seconds(now - std::exchange(last, now));
             // Nobody sees it; time stands still, too.
             if (window_.minimised()) {
+                letGo();
                 session_.clock.skip();
                 logStatus();
                 continue;
@@ -100,6 +101,16 @@ class Viewer {
         return true;
     }
 
+    /// What is let go of as the window is minimised; nothing is pressed then.
+    void letGo() {
+        using Kind = gl::InputEvent::Kind;
+        for (const gl::InputEvent& event : window_.input().events) {
+            interface_.feed(event);
+            if (event.kind == Kind::Release || event.kind == Kind::Blur)
+                controls_.take(session_, interface_, event);
+        }
+    }
+
     /// To themselves alone, with what has just happened.
     bool showPanels(const gl::InputEvent* event) {
         interface_.begin(session_.settings.interfaceScale);
@@ -127,6 +138,7 @@ class Viewer {
         const int left = std::min(panel, window_.width() - 1);
         session_.area = {left, 0, std::max(1, window_.width() - left),
                          std::max(1, window_.height())};
+        session_.keepHome();
     }
 
     /// Returns how long it took, s.

@@ -1,7 +1,9 @@
 #include "view/orbit_camera.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "catch.hpp"
 
@@ -23,12 +25,17 @@ TEST_CASE("A camera starts where the scene has it, and comes back", "[view]") {
     OrbitCamera camera(kHome);
     CHECK(apart(camera.description().position, kHome.position) < 1e-12);
     CHECK(apart(camera.description().target, kHome.target) < 1e-12);
+    camera.orbit(0, 0);
+    camera.move(0, 0, 0);
+    CHECK_FALSE(camera.moved());
     camera.orbit(1, 0.3);
     camera.pan(0.2, -0.1);
     camera.zoom(3);
     camera.move(1, 2, 3);
     CHECK(apart(camera.description().position, kHome.position) > 1);
-    camera.reset();
+    CHECK(camera.moved());
+    camera.setHome(kHome);
+    CHECK_FALSE(camera.moved());
     CHECK(apart(camera.description().position, kHome.position) < 1e-12);
 }
 
@@ -93,4 +100,77 @@ TEST_CASE("What a ray through the picture meets is seen where the ray went", "[v
                 CHECK(seen[2] > 0);
             }
     CHECK(camera.project(camera.description().position - camera.forward(), 1)[2] < 0);
+}
+
+TEST_CASE("Above ground, whatever is done to it, the eye stays above", "[view]") {
+    constexpr double kClearance = 0.05;
+    std::mt19937 random(7);
+    const auto number = [&](double most) {
+        return std::uniform_real_distribution(-most, most)(random);
+    };
+    OrbitCamera camera(kHome, kClearance);
+    CHECK(apart(camera.description().position, kHome.position) < 1e-12);
+    double least = 1;
+    for (int i = 0; i < 20000; ++i) {
+        switch (i % 4) {
+            case 0:
+                camera.orbit(number(2), number(2));
+                break;
+            case 1:
+                camera.pan(number(1), number(1));
+                break;
+            case 2:
+                camera.zoom(std::exp(number(1.5)));
+                break;
+            default:
+                camera.move(number(1), number(1), number(1));
+        }
+        const CameraDescription now = camera.description();
+        REQUIRE(now.position.allFinite());
+        least = std::min(least, now.position[1]);
+        // Rounding of a distance of up to 1000 m.
+        REQUIRE(now.position[1] >= kClearance - 1e-9);
+        REQUIRE(now.target[1] >= -1e-9);
+        REQUIRE(apart(now.position, now.target) > 0.04);
+    }
+    CHECK(least < kClearance + 1e-6);  // it was there
+}
+
+TEST_CASE("Along the ground it turns, rises and stops, and does not look elsewhere", "[view]") {
+    constexpr double kClearance = 0.05;
+    OrbitCamera camera(kHome, kClearance);
+    camera.orbit(0.4, -10);
+    CHECK(camera.description().position[1] == Approx(kClearance));
+    CHECK(apart(camera.description().target, kHome.target) < 1e-12);
+    // Further away, still up at its target.
+    camera.zoom(0.1);
+    CHECK(camera.description().position[1] == Approx(kClearance));
+    CHECK(apart(camera.description().target, kHome.target) < 1e-12);
+
+    camera.setHome(kHome, kClearance);
+    const Vec3 ahead = camera.forward();
+    camera.move(0, 0, -100);
+    CHECK(camera.description().position[1] == Approx(kClearance));
+    CHECK(apart(camera.forward(), ahead) < 1e-9);
+    CHECK(camera.description().target[1] == Approx(0).margin(1e-9));
+    camera.zoom(1e6);
+    CHECK(camera.description().position[1] == Approx(kClearance));
+    CHECK(apart(camera.forward(), ahead) < 1e-9);
+
+    // Without ground there is no such thing.
+    camera.setHome(kHome);
+    camera.orbit(0, -10);
+    CHECK(camera.description().position[1] < -2);
+}
+
+TEST_CASE("A scene that has its camera in the ground is looked at from above it", "[view]") {
+    const OrbitCamera camera({{2, -1, 3}, {0, 0.9, 0}, 45}, 0.05);
+    CHECK(camera.description().position[1] == Approx(0.05));
+    CHECK(apart(camera.description().target, {0, 0.9, 0}) < 1e-12);
+    // One that looks at what is below the ground keeps its view.
+    const CameraDescription down{{2, 1, 3}, {0, -1, 0}, 45};
+    const OrbitCamera low(down, 0.05);
+    CHECK(apart(low.description().position, down.position) < 1e-12);
+    CHECK(apart(low.forward(), (down.target - down.position).normalized()) < 1e-12);
+    CHECK(apart(low.description().target, {1, 0, 1.5}) < 1e-12);
 }

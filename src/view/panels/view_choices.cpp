@@ -71,7 +71,7 @@ void drawViewChoices(Session& session, Interface& ui, double& letters) {
         session.setVsync(vsync);
     ImGui::SameLine();
     if (ui.checkbox("full_screen", "Full screen", full, "F11")) session.setFullScreen(full);
-    if (ui.button("camera", "Reset camera", "Home")) session.camera.reset();
+    if (ui.button("camera", "Reset camera", "Home")) session.lookHome();
     ImGui::SameLine();
     if (ui.button("picture", "Picture", "Saves what you see, without panels: P"))
         session.takePicture();
