@@ -13,6 +13,7 @@
 #include "app/run_report.hpp"
 #include "balance/balanced_solver.hpp"
 #include "balance/solver_factory.hpp"
+#include "core/loss_notes.hpp"
 #include "core/vtu.hpp"
 #include "files/write_file.hpp"
 #include "gl/context.hpp"
@@ -155,11 +156,9 @@ int run(RunOptions options) {
     for (const auto& sink : sinks) sink->finish();
     if (const auto* shared = dynamic_cast<const BalancedSolver*>(solver.get()))
         facts.bodiesOnGpu = shared->bodiesOnGpu();
-    if (const auto* onGpu = dynamic_cast<const gpu::GpuSolver*>(solver.get());
-        onGpu && onGpu->droppedContacts() > 0)
-        std::cerr << "sunder: note: up to " << onGpu->droppedContacts()
-                  << " contacts at a time found no room and were left out; --solver cpu has room "
-                     "for all\n";
+    for (const std::string& note : lossNotes(*solver))
+        std::cerr << "sunder: note: " << note << '\n';
+    facts.losses.contacts = solver->droppedContacts();
     const State state = solver->state();
     if (context) context->check();
     writeResults(options, scene, world, state, facts);

@@ -28,6 +28,15 @@ nlohmann::json number(double value) {
     return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
 }
 
+nlohmann::json numbers(std::initializer_list<double> values) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const double value : values) list.push_back(number(value));
+    return list;
+}
+nlohmann::json numbers(const Vec3& v) {
+    return numbers({v[0], v[1], v[2]});
+}
+
 std::string shortNumber(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g", value);
@@ -44,7 +53,7 @@ nlohmann::ordered_json incidentsJson(const World& world, const State& state,
         strongest.push_back(
             {{"kind", incident.kind == Incident::Kind::Break ? "break" : "contact"},
              {"time", static_cast<double>(incident.step) * world.step()},
-             {"place", {number(x[0]), number(x[1]), number(x[2])}},
+             {"place", numbers(x)},
              {"impulse", number(incident.impulse)},
              {"materials", materialsOf(world, incident)},
              {"piece", pieces.ofCell[incident.cell]},
@@ -57,6 +66,27 @@ nlohmann::ordered_json incidentsJson(const World& world, const State& state,
             {"dropped", tally.dropped},
             {"capacity", tally.capacity},
             {"strongest", strongest}};
+}
+
+/// One that has not been thrown yet is nowhere: null.
+nlohmann::ordered_json objectsJson(const World& world, const State& state) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < state.objects.size(); ++i) {
+        const ObjectDescription& description = world.description().objects[i];
+        const ObjectState& object = state.objects[i];
+        const Eigen::Quaterniond& q = object.orientation;
+        const auto ifPresent = [&](const nlohmann::json& value) {
+            return object.present ? value : nlohmann::json();
+        };
+        list.push_back({{"name", description.name},
+                        {"present", object.present},
+                        {"position", ifPresent(numbers(object.position))},
+                        {"orientation", ifPresent(numbers({q.x(), q.y(), q.z(), q.w()}))},
+                        {"velocity", ifPresent(numbers(object.velocity))},
+                        {"spin", ifPresent(numbers(object.spin(world.objects()[i])))},
+                        {"fixed", description.fixed}});
+    }
+    return list;
 }
 
 }  // namespace
@@ -92,10 +122,12 @@ std::string reportJson(const Scene& scene, const World& world, const State& stat
          {{"kinetic", number(d.kinetic)},
           {"elastic", number(d.elastic)},
           {"gravity", number(d.gravity)}}},
-        {"momentum", {number(d.momentum[0]), number(d.momentum[1]), number(d.momentum[2])}},
+        {"momentum", numbers(d.momentum)},
         {"min_y", number(d.minY)},
         {"max_speed", number(d.maxSpeed)},
         {"nan", d.nan},
+        {"objects", objectsJson(world, state)},
+        {"lost", {{"contacts", facts.losses.contacts}}},
         {"ms_per_step",
          {{"median", percentile(facts.msPerStep, 0.5)},
           {"p95", percentile(facts.msPerStep, 0.95)}}},

@@ -18,6 +18,9 @@ struct RunFacts {
     std::optional<int> bodiesOnGpu;  ///< at the end, of a solver that shares them out
     std::vector<double> msPerStep;   ///< one entry per frame
     IncidentTally incidents;
+    struct {
+        std::int64_t contacts = 0;  ///< Solver::droppedContacts()
+    } losses;                       ///< what the solver had to leave out
 };
 
 /// The contents of --json.

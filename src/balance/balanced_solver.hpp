@@ -25,6 +25,8 @@ class BalancedSolver : public gpu::GpuSolver {
     void setState(const State& state) override;
     bool asleep(int body) const override;
     bool objectAsleep(int object) const override;
+    /// Of the bodies on the GPU; `cpu` has room for all.
+    std::int64_t droppedContacts() const override { return gather_.droppedContacts(); }
     gpu::StateView view() override;
     /// Of the bodies on the GPU.
     void setPassTimer(gpu::PassTimer* timer) override { gather_.setPassTimer(timer); }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -34,6 +35,9 @@ class Solver {
     /// let one.
     virtual bool asleep([[maybe_unused]] int body) const { return false; }
     virtual bool objectAsleep([[maybe_unused]] int object) const { return false; }
+    /// Contacts that found no room in one search, at most as far as is known; they were left out.
+    /// Zero for a solver that has room for all.
+    virtual std::int64_t droppedContacts() const { return 0; }
     /// From now on incidents go there; null: nowhere, the default, at no cost. The state does not
     /// depend on it. Solvers on a GPU hand them over two looks late, all in finish(). The ring
     /// must outlive its use here.

@@ -97,8 +97,6 @@ class GpuSolver : public Solver {
   public:
     /// Valid until the solver advances.
     virtual StateView view() = 0;
-    /// Contacts that found no room in one search, at most as far as is known; they were left out.
-    virtual std::int64_t droppedContacts() const { return 0; }
     /// Null: none (the default). The timer must outlive its use here.
     virtual void setPassTimer(PassTimer* timer) { passTimer_ = timer; }
     bool setPassObserver(PassObserver* observer) override {

@@ -34,6 +34,7 @@ class Simulation {
     const World& world() const { return world_; }
     const gpu::WorldBuffers& buffers() const { return buffers_; }
     const SolverInfo& solverInfo() const { return *info_; }
+    const Solver& solver() const { return *solver_; }
     double time() const { return static_cast<double>(stepsDone_) * world_.step(); }  ///< s
     int stepsPerFrame() const { return scene_.substeps; }  ///< substeps in 1/60 s
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "core/loss_notes.hpp"
 #include "gpu/pass_timer.hpp"
 #include "view/controls.hpp"
 #include "view/every.hpp"
@@ -121,6 +122,13 @@ class Viewer {
         return goOn;
     }
 
+    /// Each kind as it begins; how much it comes to is among the measurements.
+    void sayLosses() {
+        const std::vector<std::string> notes = lossNotes(session_.stage->simulation.solver());
+        if (notes.size() > losses_) session_.say(notes.back());
+        losses_ = notes.size();
+    }
+
     /// Each once: a broken draw reports the same every frame.
     void sayErrors() {
         for (const std::string& error : window_.takeErrors()) {
@@ -165,6 +173,7 @@ class Viewer {
         for (const Incident& incident : simulation.takeIncidents())
             ++(incident.kind == Incident::Kind::Break ? measurements.breaks
                                                       : measurements.contacts);
+        sayLosses();
         if (session_.measuring || session_.log.enabled())
             diagnosis_.now([&] {
                 measurements.diagnostics = diagnose(simulation.world(), simulation.state());
@@ -291,6 +300,7 @@ class Viewer {
     Every diagnosis_{0.25, 0.05}, shaderLook_{0.5}, status_{0.02};
     std::map<std::string, Interface::Rectangle> loggedWidgets_;
     std::set<std::string> saidErrors_;
+    std::size_t losses_ = 0;  ///< kinds of them
     std::int64_t frames_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/diagnostics.hpp"
+#include "core/loss_notes.hpp"
 #include "scene/limit_warnings.hpp"
 #include "view/panels/panels.hpp"
 
@@ -99,6 +100,8 @@ void drawMeasurements(Session& session, Interface& ui) {
                {"Fastest", brief(m.diagnostics.maxSpeed, "m/s")}});
     for (const std::string& warning : limitWarnings(session.scene(), world))
         ImGui::TextWrapped("%s", warning.c_str());
+    for (const std::string& note : lossNotes(session.stage->simulation.solver()))
+        ImGui::TextWrapped("%s", note.c_str());
 
     ui.heading("One cell");
     if (session.lookedAt)

@@ -1,5 +1,6 @@
 // Good runs of `sunder run` and `sunder info` that need OpenGL: pictures, and the solver on the
 // GPU.
+#include "app/support/flying_objects.hpp"
 #include "app/support/program.hpp"
 #include "app/support/scenes.hpp"
 #include "catch.hpp"
@@ -137,6 +138,44 @@ velocity = [0, 0, -9]
         // 5 kg at 9 m/s, less the drag.
         CHECK(report.at("momentum")[2] < -40);
         CHECK(report.at("nan") == 0);
+    }
+}
+
+TEST_CASE("App: the report of a GPU solver has every object's state as free flight has it") {
+    const Workplace place;
+    place.write("wall.toml", flying::scene());
+    for (const std::string solver : {"gather", "scatter", "auto"}) {
+        INFO(solver);
+        flying::check(reportOf(place, solver));
+    }
+}
+
+TEST_CASE("App: contacts that found no room are in the report as they are on stderr") {
+    const Workplace place;
+    // The search's voxels have the size of the large cells, and there is room for twelve spheres in
+    // each: a hundred of the small ones are in it.
+    place.write("wall.toml", R"(
+frames = 5
+[[body]]
+name = "large"
+material = "concrete"
+size = [2, 1, 1]
+cells = [2, 1, 1]
+[[body]]
+name = "fine"
+material = "wood"
+size = [1, 0.5, 0.1]
+cells = [20, 10, 2]
+position = [0, 0, 0.6]
+)");
+    for (const std::string solver : {"gather", "scatter", "cpu"}) {
+        INFO(solver);
+        const Result result =
+            run(place, {"--frames-png", "0", "--solver", solver, "--json", "a.json"});
+        const json lost = place.readJson("a.json").at("lost").at("contacts");
+        CHECK((lost > 0) == (solver != "cpu"));
+        const std::string said = "sunder: note: up to " + lost.dump() + " contacts at a time";
+        CHECK(contains(result.err, said) == (lost > 0));
     }
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 
+#include "app/support/flying_objects.hpp"
 #include "app/support/program.hpp"
 #include "app/support/scenes.hpp"
 #include "app/support/vtu_file.hpp"
@@ -143,6 +144,20 @@ TEST_CASE("App: the report counts breaks and contacts, and has the strongest ten
         }
     }
     CHECK(byBall);
+}
+
+TEST_CASE("App: the report has every object's state as free flight has it") {
+    const Workplace place;
+    place.write("wall.toml", flying::scene());
+    for (const std::string solver : {"reference", "cpu"}) {
+        INFO(solver);
+        const Result result = place.run(
+            {"run", "wall.toml", "--solver", solver, "--frames-png", "0", "--json", "wall.json"},
+            kNoGl);
+        REQUIRE(result.exitCode == 0);
+        flying::check(place.readJson("wall.json"));
+        CHECK(place.readJson("wall.json").at("lost").at("contacts") == 0);
+    }
 }
 
 TEST_CASE("App: a stiffness that the step does not carry is told on stderr and in the report") {
