@@ -1,8 +1,11 @@
 #include "files/temporary_file.hpp"
 
+#include <cerrno>
+#include <cstdio>
 #include <random>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "core/types.hpp"
 
@@ -25,6 +28,19 @@ fs::path temporaryName(const fs::path& target) {
     return target.parent_path() / name;
 }
 
+/// Makes an empty file where there is nothing, whatever others do meanwhile.
+std::error_code makeNew(const fs::path& path) {
+    errno = 0;
+    std::FILE* file = std::fopen(path.string().c_str(), "wbx");
+    if (!file) return {errno ? errno : EIO, std::generic_category()};
+    std::fclose(file);
+    return {};
+}
+
+[[noreturn]] void fail(const fs::path& target, const std::error_code& reason) {
+    throw InputError(target.string() + ": cannot be written: " + reason.message());
+}
+
 }  // namespace
 
 TemporaryFile::TemporaryFile(fs::path target)
@@ -35,11 +51,50 @@ TemporaryFile::~TemporaryFile() {
     if (!path_.empty()) fs::remove(path_, ignored);
 }
 
+void TemporaryFile::make() {
+    if (const std::error_code error = makeNew(path_)) fail(target_, error);
+}
+
 void TemporaryFile::moveToTarget() {
     std::error_code error;
     fs::rename(path_, target_, error);
-    if (error) throw InputError(target_.string() + ": cannot be written: " + error.message());
+    if (error) fail(target_, error);
     path_.clear();
+}
+
+bool TemporaryFile::moveToNew(const fs::path& target) {
+    std::error_code error;
+    // A second name for the same file, which a system gives only where there is none such.
+    fs::create_hard_link(path_, target, error);
+    if (error == std::errc::file_exists) return false;
+    if (!error) {
+        fs::remove(std::exchange(path_, {}), error);
+        return true;
+    }
+    // Some file systems know no second names. There an empty file holds the place for a moment.
+    error = makeNew(target);
+    if (error == std::errc::file_exists) return false;
+    if (error) fail(target, error);
+    fs::rename(path_, target, error);
+    if (error) {
+        std::error_code ignored;
+        fs::remove(target, ignored);
+        fail(target, error);
+    }
+    path_.clear();
+    return true;
+}
+
+fs::path TemporaryFile::moveToNextNumber() {
+    for (int number = 1;; ++number) {
+        char digits[16];
+        std::snprintf(digits, sizeof digits, "-%03d", number);
+        fs::path name = target_.stem();
+        name += digits;
+        name += target_.extension();
+        name = target_.parent_path() / name;
+        if (moveToNew(name)) return name;
+    }
 }
 
 }  // namespace sunder

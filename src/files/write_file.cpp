@@ -33,24 +33,62 @@ void writeStraight(const fs::path& path, std::string_view bytes, const fs::path&
     if (!file) fail(named, reasonOfLastError());
 }
 
+/// A device, a pipe: it is there and cannot be replaced.
+bool isStream(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+/// Where a file lies or will lie. Throws InputError naming `path` where there cannot be one.
+fs::path placeOf(const fs::path& path) {
+    std::error_code error;
+    // A name too long for the file system, a folder that may not be read: writing will say so.
+    fs::path place = path;
+    if (fs::is_symlink(path, error)) place = fs::weakly_canonical(path, error);
+    if (place.empty()) place = path;
+    const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, error))
+        fail(path, fs::exists(folder, error) ? "'" + folder.string() + "' is not a folder"
+                                             : "there is no folder '" + folder.string() +
+                                                   "'; one that does not exist is not made");
+    if (!place.has_filename() || fs::is_directory(place, error)) fail(path, "it is a folder");
+    return place;
+}
+
+/// Opens it as writing would, and adds nothing. Not a pipe: its reader would take that for its end.
+void checkStream(const fs::path& path) {
+    std::error_code error;
+    if (fs::is_fifo(path, error)) return;
+    errno = 0;
+    if (!std::ofstream(path, std::ios::binary | std::ios::app)) fail(path, reasonOfLastError());
+}
+
 }  // namespace
 
 void writeFile(const fs::path& path, std::string_view bytes) {
-    std::error_code error;
-    // A name too long for the file system, a folder that may not be read: writing will say so.
-    fs::path target = path;
-    if (fs::is_symlink(path, error)) target = fs::weakly_canonical(path, error);
-    if (target.empty()) target = path;
-    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder, error))
-        fail(path, "the folder " + folder.string() + " does not exist");
-    if (!target.has_filename() || fs::is_directory(target, error)) fail(path, "it is a folder");
-    if (fs::exists(target, error) && !fs::is_regular_file(target, error))
-        return writeStraight(target, bytes, path);
-
-    TemporaryFile temporary(target);
+    if (isStream(path)) return writeStraight(path, bytes, path);
+    TemporaryFile temporary(placeOf(path));
     writeStraight(temporary.path(), bytes, path);
     temporary.moveToTarget();
+}
+
+bool writeNewFile(const fs::path& path, std::string_view bytes) {
+    TemporaryFile temporary(placeOf(path));
+    writeStraight(temporary.path(), bytes, path);
+    return temporary.moveToNew(path);
+}
+
+fs::path writeNumberedFile(const fs::path& path, std::string_view bytes) {
+    TemporaryFile temporary(placeOf(path));
+    writeStraight(temporary.path(), bytes, path);
+    return temporary.moveToNextNumber();
+}
+
+void checkWritable(const fs::path& path) {
+    if (path.empty()) return;
+    if (isStream(path)) return checkStream(path);
+    TemporaryFile(placeOf(path)).make();
 }
 
 }  // namespace sunder
