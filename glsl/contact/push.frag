@@ -5,6 +5,9 @@
 #include "incidents/rank.glsl"
 #endif
 #include "physics/contact.glsl"
+#if PARTINGS
+#include "contact/parting.glsl"
+#endif
 
 uniform sampler2DArray partners;   // contact/search.frag
 uniform sampler2DArray summaries;  // of that, layer 0, per cell
@@ -49,8 +52,14 @@ void main() {
             // Both spheres of a pair work out the same numbers: the lower one's less the higher one's.
             float sign_ = self < other ? 1.0 : -1.0;
             vec3 closing = velocity - texelFetch(spheres, ivec3(address, 1), 0).xyz;
+            vec3 way = vec3(0.0);
+            float pushSpeed = -1.0;
+#if PARTINGS
+            if (self < other) partingOf(self, other, centre.xyz, theirs.xyz, way, pushSpeed);
+            else partingOf(other, self, theirs.xyz, centre.xyz, way, pushSpeed);
+#endif
             vec3 force_ = contactForce(own, sideOf(cellOf(other), theirs.w), sign_ * apart, sign_ * closing, some.x < 0.0,
-                                       stepSize);
+                                       way, pushSpeed, stepSize);
             sum += sign_ * force_;
 #if IMPULSES
             float impulse = stepSize * length(force_);

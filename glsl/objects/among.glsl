@@ -1,9 +1,10 @@
 // What an object touches besides cells: barriers (src/core/room.hpp) and other objects.
 #include "objects/motion.glsl"
 
-uniform float stepSize;       // s
-uniform float settlingSpeed;  // m/s
-uniform vec2 ground;     // x: 1 where there is a floor at y = 0; y: Coulomb coefficient
+uniform float stepSize;        // s
+uniform float settlingSpeed;   // m/s
+uniform float fastestParting;  // m/s
+uniform vec2 ground;           // x: 1 where there is a floor at y = 0; y: Coulomb coefficient
 #if ROOM
 uniform vec3 roomLow, roomHigh;  // m; SUNDER_NO_BARRIER away where there is none
 uniform float roomFriction;
@@ -24,7 +25,7 @@ RoundedBox cornerBox(RoundedBox box, int corner, out bool repeated) {
 // Overlaps part slowly. share: the smaller one of both sides' loadShare().
 void settle(inout Touch touch, float share) {
     if (touch.gap < 0.0) touch.gap *= max(kLoadedDepth, share);
-    limitDepth(touch, settlingSpeed, stepSize);
+    limitDepth(touch, min(settlingSpeed, kPushShare * fastestParting), stepSize);
 }
 
 // towards: the unit vector from the object to a barrier that lies `place` along it.
@@ -68,10 +69,13 @@ void meetPair(int self, int other) {
         else if (i > 0) from = cornerBox(boxA, i - 1, repeated);
         if (repeated) continue;
         Touch touch = sweptTouch(from, to, closing, stepSize);
+        bool deep = i == 0 && touch.gap <= -boxA.radius - boxB.radius;
+        if (deep) touch = deepTouch(boxA, boxB);
         settle(touch, share);
         vec3 velocity = velocityAt(second, stateB, touch.point) - velocityAt(first, stateA, touch.point);
         meet(touch, velocity, other, self == a, 0.5 * (first.surface.y + second.surface.y),
              0.5 * (first.surface.x + second.surface.x));
+        if (deep) break;
     }
 }
 

@@ -5,9 +5,11 @@
 #define FORCE 2
 #define IMPULSE 3
 #include "objects/cell.glsl"
+#include "contact/joined.glsl"
 
 uniform samplerBuffer strengths;  // w: friction
 uniform float stepSize;           // s
+uniform float fastestParting;     // m/s
 uniform ivec2 targetSize;         // texels
 #if WHAT != COUNT
 uniform sampler2DArray touchCounts;  // K of an object
@@ -27,6 +29,18 @@ out CellForces {
 flat out float impulse;  // N·s
 flat out int object_;
 #endif
+
+// Where the centre or the core of an object is in a body: src/core/object_contact.hpp.
+void pushOut(inout Touch touch, RoundedBox object, RoundedBox box, int cell, uvec4 record, BodyRecord body) {
+    vec3 below = (vec3(cellCoordinates(cell, ivec4(body.lattice))) + 0.5) * body.cellSize.xyz;
+    vec3 above = body.lattice.xyz * body.cellSize.xyz - below;
+    float depth;
+    vec3 way = wayOut(box, below, above, object.centre, depth);
+    if (depth <= 0.0 && touch.gap > -object.radius - box.radius) return;
+    if (!whole(linkMasksOf(cell), record.x)) return;
+    touch.normal = -way;
+    touch.gap = min(touch.gap, -depth);
+}
 
 void hide() { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); }
 
@@ -71,7 +85,10 @@ void main() {
         int other = int(number) - 1;
         ObjectRecord kind = objectRecord(other);
         ObjectMotion state = objectMotion(other);
-        Touch its = sweptTouch(boxOf(kind, state), box, mean - state.velocity.xyz, stepSize);
+        RoundedBox thing = boxOf(kind, state);
+        Touch its = sweptTouch(thing, box, mean - state.velocity.xyz, stepSize);
+        if (its.gap < 0.0) pushOut(its, thing, box, cell, record, body);
+        limitDepth(its, kPushShare * fastestParting, stepSize);
         float itsWeights[8];
         cornerWeights(box, margin, its.point, itsWeights);
         vec3 v = -velocityAt(kind, state, its.point);

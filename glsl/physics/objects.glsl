@@ -76,6 +76,36 @@ void limitDepth(inout Touch touch, float speed, float h) {
     touch.gap = max(touch.gap, -speed * max(kPartingTime, h / kContactStiffness));
 }
 
+// Of two boxes whose cores meet: the normal is the axis of one of them on which they are apart soonest.
+Touch deepTouch(RoundedBox from, RoundedBox to) {
+    vec3 apart = to.centre - from.centre;
+    Touch touch;
+    touch.point = from.centre + 0.5 * apart;
+    touch.gap = -1.0e30;
+    for (int i = 0; i < 6; ++i) {
+        vec3 n = i < 3 ? from.axes[i] : to.axes[i - 3];
+        float along = dot(apart, n);
+        float gap = abs(along) - from.radius - to.radius - dot(abs(n * from.axes), from.half_) - dot(abs(n * to.axes), to.half_);
+        if (gap <= touch.gap) continue;
+        touch.gap = gap;
+        touch.normal = along < 0.0 ? -n : n;
+    }
+    return touch;
+}
+
+// The unit vector along one of the cell's axes on which x is out of a whole body soonest, and by how much, m, negative where it
+// is out; below, above: m, from the cell's centre to the body's ends.
+vec3 wayOut(RoundedBox cell, vec3 below, vec3 above, vec3 x, out float depth) {
+    vec3 local = (x - cell.centre) * cell.axes;
+    vec3 toLow = local + below, toHigh = above - local;
+    float down = min(toLow.x, min(toLow.y, toLow.z)), up = min(toHigh.x, min(toHigh.y, toHigh.z));
+    depth = min(down, up);
+    vec3 ways = up <= down ? toHigh : -toLow;
+    float way = up <= down ? up : -down;
+    int axis = ways.x == way ? 0 : ways.y == way ? 1 : 2;
+    return (up <= down ? 1.0 : -1.0) * cell.axes[axis];
+}
+
 float partingSpeed(float gap, float h) {
     return gap > 0.0 ? -gap / h : -gap / max(kPartingTime, h / kContactStiffness);
 }

@@ -59,6 +59,15 @@ struct BodyRecord {
 };
 #define SUNDER_BODY_TEXELS 4
 
+// Two bodies that overlap as the world begins (src/core/overlap.hpp): three texels of the texture buffer `partings` (RGBA32F), by a,
+// then b.
+struct PartingRecord {
+    vec4 low;   // xyz: m; w: body a
+    vec4 high;  // xyz: m; w: body b, greater than a
+    vec4 way;   // xyz: unit vector; w unused
+};
+#define SUNDER_PARTING_TEXELS 3
+
 // One event: three texels of the texture buffer `events` (RGBA32F).
 struct EventRecord {
     vec4 patch_;       // xyz: centre, m; w: radius, m

@@ -15,6 +15,13 @@ std::uint8_t linkMask(unsigned held, int octant) {
     return static_cast<std::uint8_t>(mask);
 }
 
+std::uint8_t wholeMask(const World& world, int cell, int corner) {
+    unsigned mask = 0;
+    for (int octant = 0; octant < 8; ++octant)
+        if (cellInOctant(world, cell, corner, octant) >= 0) mask |= 1u << octant;
+    return static_cast<std::uint8_t>(mask);
+}
+
 int cellInOctant(const World& world, int cell, int corner, int octant) {
     const Body& body = world.bodies()[world.bodyOf(cell)];
     const int own = corner ^ 7;

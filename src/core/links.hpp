@@ -22,6 +22,9 @@ constexpr int bondOctant(int bond) {
 /// hold: a plain flood fill.
 std::uint8_t linkMask(unsigned held, int octant);
 
+/// linkMask() of a corner of a cell that is joined to all cells its body has room for around it.
+std::uint8_t wholeMask(const World&, int cell, int corner);
+
 /// World-wide cell in `octant` around the lattice point at corner `corner` of `cell`, or −1 outside
 /// the body.
 int cellInOctant(const World&, int cell, int corner, int octant);

@@ -31,6 +31,8 @@ struct ObjectDescription {
     bool fixed = false;             ///< an obstacle: never moves
     std::optional<Vec3> hungFrom;   ///< m: on a chain from here, as long as the way there at first
     Vec3 colour{0.25, 0.25, 0.28};  ///< linear RGB
+    bool mayOverlap = false;        ///< when the world begins (core/overlap.hpp)
+    std::string where;  ///< for error messages, for example "balls.toml:9: object 1: position"
 };
 
 /// Puts an object somewhere and gives it a velocity.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sunder {
 namespace {
@@ -100,6 +101,35 @@ Touch sweptTouch(const RoundedBox& from, const RoundedBox& to, const Vec3& veloc
 
 void limitDepth(Touch& touch, double speed, double step) {
     touch.gap = std::max(touch.gap, -speed * std::max(kPartingTime, step / kContactStiffness));
+}
+
+Touch deepTouch(const RoundedBox& from, const RoundedBox& to) {
+    const Vec3 apart = to.centre - from.centre;
+    Touch touch;
+    touch.point = from.centre + 0.5 * apart;
+    touch.gap = -std::numeric_limits<double>::infinity();
+    for (const RoundedBox* box : {&from, &to})
+        for (int axis = 0; axis < 3; ++axis) {
+            const Vec3 n = box->axes.col(axis);
+            const double along = apart.dot(n);
+            double gap = std::abs(along) - from.radius - to.radius;
+            for (const RoundedBox* reaches : {&from, &to})
+                gap -= (reaches->axes.transpose() * n).cwiseAbs().dot(reaches->half);
+            if (gap <= touch.gap) continue;
+            touch.gap = gap;
+            touch.normal = along < 0 ? Vec3(-n) : n;
+        }
+    return touch;
+}
+
+Vec3 wayOut(const RoundedBox& cell, const Vec3& below, const Vec3& above, const Vec3& x,
+            double& depth) {
+    const Vec3 local = cell.axes.transpose() * (x - cell.centre);
+    const Vec3 toLow = local + below, toHigh = above - local;
+    int low = 0, high = 0;
+    const double down = toLow.minCoeff(&low), up = toHigh.minCoeff(&high);
+    depth = std::min(down, up);
+    return up <= down ? Vec3(cell.axes.col(high)) : Vec3(-cell.axes.col(low));
 }
 
 double partingSpeed(double gap, double step) {

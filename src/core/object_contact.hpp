@@ -23,6 +23,12 @@ namespace sunder {
 ///   friction  opposite to the tangential v_t: min(μ·p, M_t·|v_t|)
 ///   1/M = N·c + K·(1/m + (r×n)·I⁻¹(r×n)),  1/M_t = N·c + K·(1/m + |r|²·max I⁻¹)
 ///
+/// An overlap never asks for more than U, what things part gently at (World::pushSpeed()): one that
+/// is deeper counts as no deeper than that, limitDepth(). With its centre
+/// in a body, where cells would push it to all sides, or its core in that of a cell, an object is
+/// pushed along the shortest way out by all of them that are whole: wayOut(). Two
+/// objects whose cores meet push each other once and not at every corner: deepTouch().
+///
 /// c is what the other side gives way per impulse: of a cell (8·Σw²)/mass, where w are the
 /// trilinear weights with which the impulse goes to its corners. N and K are the numbers of touches
 /// that the cell and the object have in this step: each touch gets its share of their masses (mass
@@ -95,8 +101,17 @@ Touch touchOf(const RoundedBox& from, const RoundedBox& to);
 /// The second moves at `velocity` (m/s) relative to the first for `step` (s).
 Touch sweptTouch(const RoundedBox& from, const RoundedBox& to, const Vec3& velocity, double step);
 
-/// So that the touch asks for no more than `speed` (m/s): a deeper overlap counts as that.
+/// So that the touch asks for no more than `speed` (m/s): what came to overlap by no hit parts
+/// gently.
 void limitDepth(Touch& touch, double speed, double step);
+/// Of two boxes whose cores meet (their touch has a gap of minus the radii): the normal is the axis
+/// of one of them on which they are apart soonest.
+Touch deepTouch(const RoundedBox& from, const RoundedBox& to);
+/// Where a cell is whole, joined to all cells that its body has room for around it: the unit vector
+/// along one of the cell's axes on which x is out of the body soonest, and by how much, m, in
+/// `depth`: negative where it is out. below, above: m, from the cell's centre to the body's ends.
+Vec3 wayOut(const RoundedBox& cell, const Vec3& below, const Vec3& above, const Vec3& x,
+            double& depth);
 /// m/s: the speed of parting that a gap asks for, u.
 double partingSpeed(double gap, double step);
 inline bool touches(const Touch& touch, const Vec3& velocity, double step) {

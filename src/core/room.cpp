@@ -3,7 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact.hpp"
+
 namespace sunder {
+
+double Barrier::depthAfter(double depth, double pushSpeed, double step) {
+    const double speed = std::min(pushSpeed, depth / std::max(kPartingTime, step));
+    return std::max(0.0, depth - step * speed);
+}
 
 Vec3 Barrier::stopped(const Vec3& velocity) const {
     Vec3 v = velocity;

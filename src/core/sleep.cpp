@@ -9,7 +9,8 @@ namespace sunder {
 namespace {
 
 /// m/s.
-double atMost(double speed, const World& world, const Body& body) {
+double atMost(double fastest, const World& world, const Body& body) {
+    const double speed = std::min(fastest, body.calmest);
     const double falling = body.gravity.norm() * kSleepDelay;  // what it would gain
     if (falling > 0) return std::min(speed, 0.1 * falling);
     const auto& anchors = world.description().bodies[&body - world.bodies().data()].anchors;

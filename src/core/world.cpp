@@ -46,6 +46,7 @@ bool insidePatch(const Event& event, const Eigen::Vector3f& rest) {
 
 World::World(WorldDescription description) : description_(std::move(description)) {
     layOutCells();
+    findOverlaps();
     layOutNodes();
     makeBonds();
     makeEvents();
@@ -54,6 +55,15 @@ World::World(WorldDescription description) : description_(std::move(description)
 
 const Material& World::materialOf(int cell) const {
     return description_.materials[laws_[cellLaw_[cell]].material];
+}
+
+const Parting* World::parting(int bodyA, int bodyB) const {
+    const std::pair wanted(std::min(bodyA, bodyB), std::max(bodyA, bodyB));
+    const auto key = [](const Parting& parting) { return std::pair(parting.a, parting.b); };
+    const auto found = std::lower_bound(
+        partings_.begin(), partings_.end(), wanted,
+        [&](const Parting& parting, const auto& pair) { return key(parting) < pair; });
+    return found != partings_.end() && key(*found) == wanted ? &*found : nullptr;
 }
 
 std::uint64_t World::bodySeed(int body) const {
@@ -169,6 +179,16 @@ void World::layOutCells() {
         bodies_.push_back(std::move(body));
     }
     if (bodies_.empty()) throw InputError("the world has no bodies; add at least one [[body]]");
+}
+
+void World::findOverlaps() {
+    partings_ = startOverlaps(description_).partings;
+    // Nothing falls asleep on its way out.
+    const double calmest = pushSpeed() / 4;
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        if (description_.bodies[i].mayOverlap) bodies_[i].calmest = calmest;
+    for (const Parting& parting : partings_)
+        bodies_[parting.a].calmest = bodies_[parting.b].calmest = calmest;
 }
 
 void World::layOutNodes() {

@@ -1,12 +1,14 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/material.hpp"
 #include "core/object.hpp"
+#include "core/overlap.hpp"
 #include "core/types.hpp"
 
 namespace sunder {
@@ -44,6 +46,8 @@ struct BodyDescription {
     int material = 0;        ///< index into WorldDescription::materials
     std::vector<Side> anchors;
     std::vector<RegionDescription> regions;
+    bool mayOverlap = false;  ///< when the world begins (core/overlap.hpp)
+    std::string where;        ///< for error messages, for example "wood.toml:31: body 1: position"
 };
 
 /// Something that pushes a patch of a body for a while. All nodes whose rest position lies within
@@ -84,7 +88,10 @@ struct WorldDescription {
     bool ground = true;           ///< a floor at y = 0
     double groundFriction = 0.6;  ///< Coulomb coefficient, 1, 0 to 10
     std::optional<RoomDescription> room;
-    bool contact = false;      ///< whether cells push each other (core/contact.hpp)
+    bool contact = false;  ///< whether cells push each other (core/contact.hpp)
+    /// m/s, 0.2 to 100 (slower is rest): what overlaps, and did not come to by a hit, parts no
+    /// faster (core/overlap.hpp).
+    double partingSpeed = 1;
     double step = 1.0 / 3000;  ///< s, one substep
     int fractureInterval = 4;  ///< substeps from one fracture update to the next, 1 to 100
     std::uint64_t seed = 1;    ///< of the strength map
@@ -101,6 +108,7 @@ struct Body {
                  0};  ///< m/s², the scene's times the mass-weighted mean of its cells' `gravity`
     double speedLimit = 0;  ///< m/s, half the shortest cell edge per step
     int firstEvent = 0, eventCount = 0;
+    double calmest = std::numeric_limits<double>::infinity();  ///< m/s: see core/sleep.hpp
 
     int cellCount() const { return cells.prod(); }
     /// World-wide index of the cell at lattice coordinates c (must lie inside).
@@ -165,7 +173,7 @@ struct State {
 /// from the lattice.
 class World {
   public:
-    /// Throws InputError when something is too large, empty or contradictory.
+    /// Throws InputError when something is too large, empty or contradictory, or in something else.
     explicit World(WorldDescription);
 
     const WorldDescription& description() const { return description_; }
@@ -174,7 +182,12 @@ class World {
     const std::vector<Event>& events() const { return events_; }  ///< sorted by body
     const std::vector<Object>& objects() const { return objects_; }
     const std::vector<Throw>& throws() const { return throws_; }  ///< in order of time
+    /// Bodies that overlap as the world begins, by a, then b.
+    const std::vector<Parting>& partings() const { return partings_; }
+    /// Of these two bodies; null: they do not.
+    const Parting* parting(int bodyA, int bodyB) const;
     double step() const { return description_.step; }
+    double pushSpeed() const { return kPushShare * description_.partingSpeed; }  ///< U, m/s
 
     int cellCount() const { return static_cast<int>(cellBody_.size()); }
     int nodeCount() const { return kCorners * cellCount(); }
@@ -224,6 +237,7 @@ class World {
     void makeBonds();
     void makeEvents();
     void makeObjects();
+    void findOverlaps();
     int lawFor(int material, const Vec3& cellSize);
 
     WorldDescription description_;
@@ -232,6 +246,7 @@ class World {
     std::vector<Event> events_;
     std::vector<Object> objects_;
     std::vector<Throw> throws_;
+    std::vector<Parting> partings_;
     std::vector<int> cellBody_;
     std::vector<std::int16_t> cellLaw_;
     std::vector<double> nodeMass_;

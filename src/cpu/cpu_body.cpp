@@ -7,6 +7,7 @@
 #include <new>
 #include <tuple>
 
+#include "core/contact.hpp"
 #include "core/elasticity.hpp"
 
 namespace sunder::cpu {
@@ -91,6 +92,8 @@ void BodyStorage::choose(const World& world) {
     a.step = static_cast<float>(h);
     a.drag = static_cast<float>(std::exp(-body.drag * h));
     a.speedLimit = static_cast<float>(body.speedLimit);
+    a.returnShare = static_cast<float>(h / std::max(kPartingTime, h));
+    a.returnWay = static_cast<float>(h * world.pushSpeed());
     a.ground = world.description().ground;
     a.groundFriction = static_cast<float>(world.description().groundFriction);
     if (const auto& room = world.description().room) {

@@ -88,6 +88,8 @@ struct BodyArrays {
     bool ground = false, room = false;
     float groundFriction = 0, roomFriction = 0;
     float roomLow[3] = {}, roomHigh[3] = {};  ///< m; infinite where there is no barrier
+    float returnShare = 0, returnWay = 0;     ///< what lies beyond one comes back by in a step: of
+                                              ///< its depth; at most, m
 
     int place(int x, int y, int z) const { return x * steps[0] + y * steps[1] + z * steps[2]; }
 };

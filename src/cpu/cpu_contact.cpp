@@ -13,6 +13,7 @@ constexpr int kTilesPerStretch = 32;
 Contact::Contact(const World& world, std::vector<const BodyArrays*> bodies) : world_(world) {
     step_ = static_cast<float>(world.step());
     closing_ = static_cast<float>(contactMargin(0, 0, 1, world.step()));
+    pushSpeed_ = static_cast<float>(world.pushSpeed());
     partingTime_ = static_cast<float>(
         std::max(kPartingTime, kInelasticDamping * world.step() / kContactStiffness));
     for (const ElementLaw& law : world.laws()) {
@@ -190,6 +191,12 @@ bool Contact::apart(int sphere, int other) const {
     return distance2(way) >= touch * touch;
 }
 
+const Parting* Contact::partingOf(int sphere, int other) const {
+    if (world_.partings().empty() || bodyOf_[sphere] == bodyOf_[other]) return nullptr;
+    return world_.parting(bodies_[bodyOf_[sphere]].arrays->index,
+                          bodies_[bodyOf_[other]].arrays->index);
+}
+
 /// Force on `a`, which is less than `b`.
 std::array<float, 3> Contact::pairForce(int a, int b, bool neighbours) const {
     const CellLaw &lawA = laws_[lawOf_[a]], &lawB = laws_[lawOf_[b]];
@@ -205,6 +212,10 @@ std::array<float, 3> Contact::pairForce(int a, int b, bool neighbours) const {
         for (float& x : normal) x /= distance;
     else
         normal = {0, 1, 0};
+    const Parting* parting = partingOf(a, b);
+    if (parting && parting->lasts({moved_[0][a] - moved_[0][b], moved_[1][a] - moved_[1][b],
+                                   moved_[2][a] - moved_[2][b]}))
+        for (int axis = 0; axis < 3; ++axis) normal[axis] = static_cast<float>(parting->way[axis]);
     const auto crowd = static_cast<float>(std::max({1, crowd_[cellOf_[a]], crowd_[cellOf_[b]]}));
     const float rate = lawA.mass * lawB.mass / ((lawA.mass + lawB.mass) * step_ * crowd);
     const float approach = v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2];
@@ -215,6 +226,9 @@ std::array<float, 3> Contact::pairForce(int a, int b, bool neighbours) const {
         push = rate * (static_cast<float>(kContactStiffness) / step_ * overlap -
                        0.5f * (lawA.damping + lawB.damping) *
                            std::clamp(approach, -overlap / step_, overlap / step_));
+    if (parting)
+        push =
+            std::min(push, static_cast<float>(kInelasticDamping) * rate * (pushSpeed_ - approach));
     push = std::max(0.f, push);
     std::array<float, 3> slip;
     for (int axis = 0; axis < 3; ++axis) slip[axis] = v[axis] - approach * normal[axis];

@@ -139,6 +139,8 @@ class Contact {
     void layOut(const World& world);
     void centreTile(const BodyContact& body, int tile, int sphere);
     bool apart(int sphere, int other) const;
+    /// How the bodies of two spheres part that overlap from the start; null: they do not.
+    const Parting* partingOf(int sphere, int other) const;
     void measure(Stretch& stretch);
     void measureTile(const BodyContact& body, int tile, Bounds& bounds);
     void measureBodies(const ForEach& forEach);
@@ -162,6 +164,7 @@ class Contact {
     std::vector<CellLaw> laws_;
     float step_ = 0, closing_ = 0;  ///< s; closing_·speed: the margin that speed asks for
     float partingTime_ = 0;         ///< s
+    float pushSpeed_ = 0;           ///< m/s
     bool due_ = true;
     IncidentWatch* watch_ = nullptr;
 

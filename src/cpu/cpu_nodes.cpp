@@ -49,12 +49,23 @@ HWY_INLINE V& component(Vec3v& a) {
 }
 
 /// Barrier::stopped() (core/room.hpp) for the lanes beyond a barrier, which begin the step again
-/// from `bound`, their displacement there. `into`: m/s towards it. Returns whether there are any.
-template <int kAxis>
-HWY_INLINE bool stopAt(Mask beyond, V bound, V into, float friction, float step, Vec3v& u, Vec3v& v,
+/// from `bound`, their displacement there, or, where they were beyond it before, from as far on the
+/// way back as they come. kSide: Barrier::side. Returns whether there are any.
+template <int kAxis, int kSide>
+HWY_INLINE bool stopAt(const BodyArrays& body, V bound, float friction, Vec3v& u, Vec3v& v,
                        Vec3v& next) {
-    if (HWY_LIKELY(!any(beyond))) return false;
+    const auto outside = [&](V place) {
+        const V x = component<kAxis>(next);
+        return kSide > 0 ? hn::Lt(x, place) : hn::Gt(x, place);
+    };
+    const auto inwards = [](V x) { return kSide > 0 ? x : hn::Zero(d) - x; };
+    if (HWY_LIKELY(!any(outside(bound)))) return false;
     const V zero = hn::Zero(d), one = set(1.f);
+    const V depth = hn::Max(zero, inwards(bound - component<kAxis>(u)));
+    const V back = hn::Min(depth * set(body.returnShare), set(body.returnWay));
+    bound = bound - inwards(depth - back);
+    const Mask beyond = outside(bound);
+    const V into = zero - inwards(component<kAxis>(v));
     const V a = component<(kAxis + 2) % 3>(v), b = component<(kAxis + 1) % 3>(v);
     const V tangential = hn::Sqrt(a * a + b * b);
     const V taken = set(friction) * hn::Max(zero, into);
@@ -63,7 +74,9 @@ HWY_INLINE bool stopAt(Mask beyond, V bound, V into, float friction, float step,
     component<kAxis>(left) = zero;
     v = select(beyond, left, v);
     component<kAxis>(u) = hn::IfThenElse(beyond, bound, component<kAxis>(u));
-    next = select(beyond, u + v * set(step), next);
+    next = select(beyond, u + v * set(body.step), next);
+    component<kAxis>(v) =
+        hn::IfThenElse(beyond, inwards(back) * set(1 / body.step), component<kAxis>(v));
     return true;
 }
 
@@ -71,11 +84,8 @@ HWY_INLINE bool stopAt(Mask beyond, V bound, V into, float friction, float step,
 template <int kAxis>
 HWY_INLINE bool stayBetween(const BodyArrays& body, V rest, Vec3v& u, Vec3v& v, Vec3v& next) {
     const V low = set(body.roomLow[kAxis]) - rest, high = set(body.roomHigh[kAxis]) - rest;
-    const bool below =
-        stopAt<kAxis>(hn::Lt(component<kAxis>(next), low), low, hn::Zero(d) - component<kAxis>(v),
-                      body.roomFriction, body.step, u, v, next);
-    const bool above = stopAt<kAxis>(hn::Gt(component<kAxis>(next), high), high,
-                                     component<kAxis>(v), body.roomFriction, body.step, u, v, next);
+    const bool below = stopAt<kAxis, +1>(body, low, body.roomFriction, u, v, next);
+    const bool above = stopAt<kAxis, -1>(body, high, body.roomFriction, u, v, next);
     return below || above;
 }
 
@@ -87,9 +97,8 @@ HWY_INLINE void stayInside(const BodyArrays& body, int corner, int cell, Vec3v u
     };
     bool stopped = false;
     if (body.ground) {
-        const V zero = hn::Zero(d), floor = zero - rest(1);
-        stopped = stopAt<1>(hn::Lt(next.y, floor), floor, zero - v.y, body.groundFriction,
-                            body.step, u, v, next);
+        const V floor = hn::Zero(d) - rest(1);
+        stopped = stopAt<1, +1>(body, floor, body.groundFriction, u, v, next);
     }
     if (body.room) {
         stopped |= stayBetween<0>(body, rest(0), u, v, next);

@@ -34,6 +34,11 @@ CellMotion ObjectCells::motion(int cell) const {
     return motion;
 }
 
+std::uint8_t ObjectCells::links(int cell, int corner) const {
+    const auto [arrays, local] = placeOf(cell);
+    return arrays->links[tiled(kCorners, corner, local)];
+}
+
 void ObjectCells::push(int cell, const std::array<double, kCorners>& weights, const Vec3& force) {
     const auto [arrays, local] = placeOf(cell);
     for (int corner = 0; corner < kCorners; ++corner)

@@ -14,6 +14,7 @@ class ObjectCells : public Objects::Cells {
 
     Bounds bounds(int body) const override;
     CellMotion motion(int cell) const override;
+    std::uint8_t links(int cell, int corner) const override;
     void push(int cell, const std::array<double, kCorners>& weights, const Vec3& force) override;
 
   private:

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/links.hpp"
+
 namespace sunder {
 namespace {
 
@@ -183,6 +185,7 @@ void Objects::add(Active active) {
         if (active.touch.gap < 0) active.touch.gap *= std::max(kLoadedDepth, lighter);
         limitDepth(active.touch, settlingSpeed_, world_.step());
     }
+    limitDepth(active.touch, world_.pushSpeed(), world_.step());
     if (!touches(active.touch, active.velocity, world_.step())) return;
     ++objectTouches_[active.object];
     if (active.other >= 0) ++objectTouches_[active.other];
@@ -200,7 +203,9 @@ void Objects::touchCell(const Candidate& candidate, const Cells& cells) {
     Vec3 mean = Vec3::Zero();
     for (const Vec3& v : motion.velocity) mean += v / kCorners;
     Active active{};
-    active.touch = sweptTouch(boxOf(object, state), cell, mean - state.velocity, world_.step());
+    const RoundedBox box = boxOf(object, state);
+    active.touch = sweptTouch(box, cell, mean - state.velocity, world_.step());
+    if (active.touch.gap < 0) pushOut(active.touch, box, cell, candidate.cell, cells);
     active.object = candidate.object;
     active.cell = candidate.cell;
     active.other = -1;
@@ -216,6 +221,22 @@ void Objects::touchCell(const Candidate& candidate, const Cells& cells) {
         0.5 * (object.restitution + world_.laws()[world_.lawOf(candidate.cell)].restitution);
     active.friction = 0.5 * (object.friction + world_.materialOf(candidate.cell).friction);
     add(std::move(active));
+}
+
+/// Where the centre or the core of an object is in a body.
+void Objects::pushOut(Touch& touch, const RoundedBox& object, const RoundedBox& box, int cell,
+                      const Cells& cells) const {
+    const Body& body = world_.bodies()[world_.bodyOf(cell)];
+    const Vec3 below =
+        (body.coordinates(cell).cast<double>() + Vec3::Constant(0.5)).cwiseProduct(body.cellSize);
+    const Vec3 above = body.cells.cast<double>().cwiseProduct(body.cellSize) - below;
+    double depth = 0;
+    const Vec3 way = wayOut(box, below, above, object.centre, depth);
+    if (depth <= 0 && touch.gap > -object.radius - box.radius) return;
+    for (int corner = 0; corner < kCorners; ++corner)
+        if (cells.links(cell, corner) != wholeMask(world_, cell, corner)) return;
+    touch.normal = -way;
+    touch.gap = std::min(touch.gap, -depth);
 }
 
 void Objects::touchBarriers(int index) {
@@ -244,9 +265,9 @@ void Objects::touchObjects(int a, int b) {
     if (still(a) && still(b)) return;
     const RoundedBox boxA = boxOf(first, stateA), boxB = boxOf(second, stateB);
     const Vec3 closing = stateB.velocity - stateA.velocity;
-    const auto between = [&](const RoundedBox& from, const RoundedBox& to) {
+    const auto between = [&](const Touch& touch) {
         Active active{};
-        active.touch = sweptTouch(from, to, closing, world_.step());
+        active.touch = touch;
         active.object = a;
         active.cell = -1;
         active.other = b;
@@ -256,10 +277,15 @@ void Objects::touchObjects(int a, int b) {
         active.friction = 0.5 * (first.friction + second.friction);
         add(std::move(active));
     };
-    between(boxA, boxB);
+    const auto swept = [&](const RoundedBox& from, const RoundedBox& to) {
+        return sweptTouch(from, to, closing, world_.step());
+    };
+    const Touch touch = swept(boxA, boxB);
+    if (touch.gap <= -boxA.radius - boxB.radius) return between(deepTouch(boxA, boxB));
+    between(touch);
     if (boxA.half.isZero() || boxB.half.isZero()) return;
-    for (const RoundedBox& corner : cornersOf(boxA)) between(corner, boxB);
-    for (const RoundedBox& corner : cornersOf(boxB)) between(boxA, corner);
+    for (const RoundedBox& corner : cornersOf(boxA)) between(swept(corner, boxB));
+    for (const RoundedBox& corner : cornersOf(boxB)) between(swept(boxA, corner));
 }
 
 /// What an object gives way, with its share of the mass for each of its touches.

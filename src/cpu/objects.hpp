@@ -25,6 +25,8 @@ class Objects {
         /// Around all nodes of a body.
         virtual Bounds bounds(int body) const = 0;
         virtual CellMotion motion(int cell) const = 0;
+        /// linkMask() of one of its corners.
+        virtual std::uint8_t links(int cell, int corner) const = 0;
         /// Adds weights[corner]·force (N) to the forces on a cell's corners.
         virtual void push(int cell, const std::array<double, kCorners>& weights,
                           const Vec3& force) = 0;
@@ -92,6 +94,8 @@ class Objects {
 
     void findOf(int object, int body, const Cells& cells, const Cells::Bounds& bounds);
     void touchCell(const Candidate& candidate, const Cells& cells);
+    void pushOut(Touch& touch, const RoundedBox& object, const RoundedBox& box, int cell,
+                 const Cells& cells) const;
     void touchBarriers(int object);
     void touchObjects(int a, int b);
     void add(Active active);

@@ -39,6 +39,9 @@ class ReferenceSolver::ObjectCells : public Objects::Cells {
         }
         return motion;
     }
+    std::uint8_t links(int cell, int corner) const override {
+        return solver_.links_[kCorners * cell + corner];
+    }
     void push(int cell, const std::array<double, kCorners>& weights, const Vec3& force) override {
         for (int corner = 0; corner < kCorners; ++corner)
             solver_.force_[kCorners * cell + corner] += weights[corner] * force;
@@ -199,10 +202,15 @@ void ReferenceSolver::updateNodes() {
         Vec3 next = u + h * v;
         const Vec3 rest = world_.restPosition(node);
         for (const Barrier& barrier : barriers_) {
-            if (barrier.distance(rest + next) >= 0) continue;
+            const int axis = barrier.axis;
+            const double bound = barrier.place - rest[axis];
+            const double depth = barrier.side * (bound - u[axis]);
+            const double after = Barrier::depthAfter(depth, world_.pushSpeed(), h);
+            if (barrier.distance(rest + next) >= -after) continue;
             v = barrier.stopped(v);
-            u[barrier.axis] = barrier.place - rest[barrier.axis];
+            u[axis] = bound - barrier.side * after;
             next = u + h * v;
+            v[axis] += barrier.side * (std::max(0.0, depth) - after) / h;
         }
         u = next;
     }

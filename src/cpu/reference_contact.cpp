@@ -16,11 +16,12 @@ ReferenceContact::ReferenceContact(const World& world) : world_(world) {
 }
 
 ReferenceContact::Sphere ReferenceContact::sphere(const State& state, int cell, int number) const {
-    Sphere sphere{cell, number, Vec3::Zero(), Vec3::Zero(), 0};
+    Sphere sphere{cell, number, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), 0};
     const auto& weights = weights_[world_.bodyOf(cell)][number];
     for (int corner = 0; corner < kCorners; ++corner) {
         const int node = kCorners * cell + corner;
         sphere.centre += weights[corner] * (world_.restPosition(node) + state.displacement[node]);
+        sphere.moved += weights[corner] * state.displacement[node];
         sphere.velocity += weights[corner] * state.velocity[node];
     }
     // Two spheres' margin is at most the sum of what each would have against its like at rest.
@@ -91,7 +92,9 @@ Vec3 ReferenceContact::pairForce(const Pair& pair, const State& state) const {
     const double distance = apart.norm();
     const double overlap = proxyOf(a.cell).radius + proxyOf(b.cell).radius - distance;
     if (!(overlap > 0)) return Vec3::Zero();
-    const Vec3 normal = distance > 0 ? Vec3(apart / distance) : Vec3(0, 1, 0);
+    const Parting* parting = world_.parting(world_.bodyOf(a.cell), world_.bodyOf(b.cell));
+    Vec3 normal = distance > 0 ? Vec3(apart / distance) : Vec3(0, 1, 0);
+    if (parting && parting->lasts(a.moved - b.moved)) normal = parting->way;
     const double h = world_.step();
     const double ma = world_.cellMass(a.cell), mb = world_.cellMass(b.cell);
     const double crowd = std::max({1, crowd_[a.cell], crowd_[b.cell]});
@@ -107,6 +110,7 @@ Vec3 ReferenceContact::pairForce(const Pair& pair, const State& state) const {
         push = rate * (kContactStiffness * overlap / h -
                        damping * std::clamp(approach, -overlap / h, overlap / h));
     }
+    if (parting) push = std::min(push, kInelasticDamping * rate * (world_.pushSpeed() - approach));
     push = std::max(0.0, push);
     const Vec3 slip = v - approach * normal;
     const double speed = slip.norm();

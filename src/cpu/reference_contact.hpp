@@ -18,7 +18,7 @@ class ReferenceContact {
   private:
     struct Sphere {
         int cell, number;
-        Vec3 centre, velocity;
+        Vec3 centre, moved, velocity;
         double reach;  ///< m: radius plus what it may add to a margin
     };
     struct Pair {

@@ -13,7 +13,8 @@ constexpr const char* kSamplers[kUnitCount] = {
     "strengths",    "rectangles", "chunks", "records",      "spheres",
     "regions",      "exposed",    "grid",   "partners",     "summaries",
     "sphereForces", "objects",    "motion", "sleepers",     "touchCounts",
-    "impulses",     "knownBonds", "pushes", "pushesBefore", "pushesEarlier"};
+    "impulses",     "knownBonds", "pushes", "pushesBefore", "pushesEarlier",
+    "partings"};
 constexpr int kLawBinding = 0;
 
 }  // namespace
@@ -27,6 +28,9 @@ void setConstants(const gl::Program& program, const World& world, int textureCol
     glUniform1f(program.uniform("stepSize"), h);
     glUniform1f(program.uniform("interval"),
                 static_cast<float>(world.description().fractureInterval) * h);
+    glUniform1f(program.uniform("fastestParting"),
+                static_cast<float>(world.description().partingSpeed));
+    glUniform1i(program.uniform("partingCount"), static_cast<int>(world.partings().size()));
     glUniform2f(program.uniform("ground"), world.description().ground ? 1.0f : 0.0f,
                 static_cast<float>(world.description().groundFriction));
     if (const auto& room = world.description().room) {
@@ -46,6 +50,7 @@ void bindWorld(const WorldBuffers& buffers) {
     gl::bindTexture(kBodies, GL_TEXTURE_BUFFER, buffers.bodies());
     gl::bindTexture(kRest, GL_TEXTURE_BUFFER, buffers.rest());
     gl::bindTexture(kStrengths, GL_TEXTURE_BUFFER, buffers.strengths());
+    gl::bindTexture(kPartings, GL_TEXTURE_BUFFER, buffers.partings());
     glBindBufferBase(GL_UNIFORM_BUFFER, kLawBinding, buffers.laws().id());
 }
 

@@ -38,12 +38,13 @@ enum Unit {
     kPushes,
     kPushesBefore,
     kPushesEarlier,
+    kPartings,
     kUnitCount
 };
 
 /// Points every sampler and uniform block the program has to its place, and sets what stays the
-/// same for a whole run: step, fracture interval, ground, room, columns of the solver's textures
-/// (a power of two).
+/// same for a whole run: step, fracture interval, ground, room, how things part, columns of the
+/// solver's textures (a power of two).
 void setConstants(const gl::Program& program, const World& world, int textureColumns);
 
 /// Binds what does not change while a solver advances: another user of the context may have used

@@ -93,6 +93,15 @@ gl::Buffer makeObjects(const World& world) {
     return gl::makeBuffer<ObjectRecord>(objects, GL_STATIC_DRAW, "objects");
 }
 
+gl::Buffer makePartings(const World& world) {
+    std::vector<PartingRecord> partings;
+    for (const Parting& parting : world.partings())
+        partings.push_back({toVec4(parting.low, parting.a), toVec4(parting.high, parting.b),
+                            toVec4(parting.way, 0)});
+    partings.resize(std::max<std::size_t>(1, partings.size()));
+    return gl::makeBuffer<PartingRecord>(partings, GL_STATIC_DRAW, "partings");
+}
+
 gl::Buffer makeLaws(const World& world) {
     std::vector<ElementLaw> laws(SUNDER_MAX_ELEMENT_LAWS);
     for (std::size_t i = 0; i < world.laws().size(); ++i) {
@@ -117,6 +126,7 @@ static_assert(SUNDER_MAX_ELEMENT_LAWS == kMaxElementLaws && SUNDER_NO_BOND == kN
 static_assert(sizeof(BodyRecord) == 16 * SUNDER_BODY_TEXELS &&
               sizeof(EventRecord) == 16 * SUNDER_EVENT_TEXELS &&
               sizeof(ObjectRecord) == 16 * SUNDER_OBJECT_TEXELS &&
+              sizeof(PartingRecord) == 16 * SUNDER_PARTING_TEXELS &&
               sizeof(ObjectMotion) == 16 * SUNDER_OBJECT_LAYERS);
 
 WorldBuffers::WorldBuffers(const World& world)
@@ -128,11 +138,13 @@ WorldBuffers::WorldBuffers(const World& world)
       strengthBuffer_(makeStrengths(world)),
       objectBuffer_(makeObjects(world)),
       lawBuffer_(makeLaws(world)),
+      partingBuffer_(makePartings(world)),
       restTexture_(gl::makeBufferTexture(restBuffer_, GL_RGBA32F, "rest positions")),
       cellTexture_(gl::makeBufferTexture(cellBuffer_, GL_RGBA32UI, "cells")),
       bodyTexture_(gl::makeBufferTexture(bodyBuffer_, GL_RGBA32F, "bodies")),
       strengthTexture_(gl::makeBufferTexture(strengthBuffer_, GL_RGBA32F, "bond strengths")),
-      objectTexture_(gl::makeBufferTexture(objectBuffer_, GL_RGBA32F, "objects")) {}
+      objectTexture_(gl::makeBufferTexture(objectBuffer_, GL_RGBA32F, "objects")),
+      partingTexture_(gl::makeBufferTexture(partingBuffer_, GL_RGBA32F, "partings")) {}
 
 NodeBuffer::NodeBuffer(const World& world)
     : restHeights_(restHeights(world)),

@@ -26,13 +26,17 @@ class WorldBuffers {
     /// Texture buffer, RGBA32F, SUNDER_OBJECT_TEXELS per object (ObjectRecord).
     const gl::Texture& objects() const { return objectTexture_; }
     int objectCount() const { return objectCount_; }
+    /// Texture buffer, RGBA32F, SUNDER_PARTING_TEXELS per pair of bodies (PartingRecord).
+    const gl::Texture& partings() const { return partingTexture_; }
     /// Uniform block ElementLaws.
     const gl::Buffer& laws() const { return lawBuffer_; }
 
   private:
     int cellCount_, objectCount_;
-    gl::Buffer restBuffer_, cellBuffer_, bodyBuffer_, strengthBuffer_, objectBuffer_, lawBuffer_;
-    gl::Texture restTexture_, cellTexture_, bodyTexture_, strengthTexture_, objectTexture_;
+    gl::Buffer restBuffer_, cellBuffer_, bodyBuffer_, strengthBuffer_, objectBuffer_, lawBuffer_,
+        partingBuffer_;
+    gl::Texture restTexture_, cellTexture_, bodyTexture_, strengthTexture_, objectTexture_,
+        partingTexture_;
 };
 
 /// Displacements and velocities on the GPU (NodeRecord): what transform feedback writes and

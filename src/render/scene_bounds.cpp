@@ -7,7 +7,7 @@
 namespace sunder {
 namespace {
 
-struct Box {
+struct Corners {
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::max());
     Vec3 high = -low;
     void include(const Vec3& a, const Vec3& b) {
@@ -21,8 +21,8 @@ struct Box {
 
 /// Where objects are at first, and where they are thrown from. What comes from further away than
 /// three times `wall` (m) is on its way for a moment only: not worth a coarser shadow map.
-void includeObjects(const World& world, double wall, Box& box) {
-    const Box bodies = box;
+void includeObjects(const World& world, double wall, Corners& box) {
+    const Corners bodies = box;
     for (std::size_t i = 0; i < world.objects().size(); ++i) {
         const Object& object = world.objects()[i];
         const std::optional<Vec3>& position = world.description().objects[i].position;
@@ -38,7 +38,7 @@ void includeObjects(const World& world, double wall, Box& box) {
 }  // namespace
 
 SceneBounds sceneBounds(const World& world) {
-    Box box;
+    Corners box;
     double tallest = 0;
     for (const Body& body : world.bodies()) {
         const Vec3 size = body.cellSize.cwiseProduct(body.cells.cast<double>());

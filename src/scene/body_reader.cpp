@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/limits.hpp"
+#include "scene/overlap_reader.hpp"
 #include "scene/wording.hpp"
 
 namespace sunder {
@@ -19,8 +20,8 @@ std::string triple(const IVec3& v) {
 }  // namespace
 
 void BodyReader::readAll(const TableReader& scene) {
-    const TableReader::Keys keys{"name",   "material", "size",    "cells", "position",
-                                 "anchor", "copies",   "spacing", "region"};
+    const TableReader::Keys keys{"name",   "material", "size",    "cells",  "position",
+                                 "anchor", "copies",   "spacing", "region", "overlap"};
     const std::vector<TableReader> readers = scene.tables("body", keys, kMaxBodies);
     if (readers.empty())
         scene.fail(
@@ -38,12 +39,8 @@ void BodyReader::readBody(const TableReader& reader) {
     reader.read("cells", body.cells, {1, kMaxCells});
     const Range coordinate{-kMaxLength, kMaxLength, "m"};
     reader.read("position", body.position, coordinate);
-    if (world_.ground && body.position.y() < 0)
-        reader.fail("position",
-                    "position: number 2 (y, of the bottom face) must be at least 0 m, not " +
-                        formatNumber(body.position.y()) +
-                        ", because the ground is at y = 0; raise the body or set "
-                        "enabled = false in [ground]");
+    body.mayOverlap = readOverlap(reader);
+    body.where = reader.where("position");
     for (const std::size_t side : reader.readChoices("anchor", kSides))
         body.anchors.push_back(static_cast<Side>(side));
     reader.require("material", "a material of this scene, a preset or a .toml file");
@@ -116,16 +113,12 @@ void BodyReader::addCopies(const TableReader& reader, const BodyDescription& bod
             reader.fail("copies",
                         "copies needs spacing, the distance from one copy to the next along "
                         "x, y, z in m");
-        if (std::abs(spacing[axis]) < body.size[axis])
+        if (!body.mayOverlap && std::abs(spacing[axis]) < body.size[axis])
             reader.fail("spacing", "spacing: number " + std::to_string(axis + 1) +
                                        " must be at least the body's size, " +
                                        formatNumber(body.size[axis]) +
                                        " m, or copies overlap, not " + formatNumber(spacing[axis]));
     }
-    if (world_.ground && body.position.y() + (copies[1] - 1) * spacing[1] < 0)
-        reader.fail("spacing",
-                    "spacing: number 2 puts copies below the ground at y = 0; make it "
-                    "positive or raise the body");
     if (count == 1) return add(reader, body);
     IVec3 index;
     for (index[2] = 0; index[2] < copies[2]; ++index[2])
@@ -144,39 +137,7 @@ void BodyReader::add(const TableReader& reader, BodyDescription body) {
     if (!groups_.try_emplace(body.name, Group{index, 1}).second)
         reader.fail("name", "there is already a body named " + inQuotes(body.name) +
                                 "; every body needs a name of its own");
-    checkRoom(reader, body);
     world_.bodies.push_back(std::move(body));
-}
-
-void BodyReader::checkRoom(const TableReader& reader, const BodyDescription& body) const {
-    if (!world_.room) return;
-    const RoomDescription& room = *world_.room;
-    constexpr double rounding = 1e-6;  // m; a body may stand against a wall
-    const auto check = [&](int axis, double low, double high, const std::string& walls) {
-        const double half = body.size[axis] / 2;
-        const double from = low + half, to = high - half, place = body.position[axis];
-        if (place >= from - rounding && place <= to + rounding) return;
-        const std::string name = "body " + inQuotes(body.name);
-        if (to < from)
-            reader.fail("size", "size: " + name + " is too large for the room, " + walls +
-                                    "; make it smaller or the room larger");
-        reader.fail("position", "position: number " + std::to_string(axis + 1) + " of " + name +
-                                    " must be from " + formatNumber(from) + " to " +
-                                    formatNumber(to) + " m, not " + formatNumber(place) +
-                                    ", to be inside the room, " + walls);
-    };
-    const auto between = [](const char* axis, const std::array<double, 2>& walls) {
-        return std::string("whose walls stand at ") + axis + " = " + formatNumber(walls[0]) +
-               " and " + formatNumber(walls[1]) + " m";
-    };
-    check(0, room.x[0], room.x[1], between("x", room.x));
-    check(2, room.z[0], room.z[1], between("z", room.z));
-    const double top = body.position[1] + body.size[1];
-    if (room.ceiling && top > *room.ceiling + rounding)
-        reader.fail("position", "position: body " + inQuotes(body.name) + " reaches up to " +
-                                    formatNumber(top) + " m, through the ceiling at " +
-                                    formatNumber(*room.ceiling) +
-                                    " m; lower it or raise ceiling in [room]");
 }
 
 int BodyReader::materialIndex(const TableReader& reader) {

@@ -15,7 +15,6 @@ class BodyReader {
     BodyReader(WorldDescription& world, MaterialLibrary& library)
         : world_(world), library_(library) {}
 
-    /// Needs world.ground and world.room to be set.
     void readAll(const TableReader& scene);
 
     /// Indices into world.bodies of the body or copy of this name, or of all copies of a body of
@@ -29,7 +28,6 @@ class BodyReader {
     void readRegions(const TableReader& reader, BodyDescription& body);
     void addCopies(const TableReader& reader, const BodyDescription& body);
     void add(const TableReader& reader, BodyDescription body);
-    void checkRoom(const TableReader& reader, const BodyDescription& body) const;
     int materialIndex(const TableReader& reader);
 
     struct Group {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "scene/limits.hpp"
+#include "scene/overlap_reader.hpp"
 #include "scene/wording.hpp"
 
 namespace sunder {
@@ -97,9 +98,10 @@ int objectNamed(const WorldDescription& world, const std::string& name) {
 }  // namespace
 
 void readObjects(const TableReader& scene, WorldDescription& world) {
-    const TableReader::Keys keys{
-        "name",  "shape",    "radius", "size", "length",   "mass",   "position",  "rotation",
-        "fixed", "velocity", "spin",   "drag", "friction", "colour", "hung_from", "restitution"};
+    const TableReader::Keys keys{"name",        "shape",    "radius",   "size",   "length",
+                                 "mass",        "position", "rotation", "fixed",  "velocity",
+                                 "spin",        "drag",     "friction", "colour", "hung_from",
+                                 "restitution", "overlap"};
     for (const TableReader& reader : scene.tables("object", keys, kMaxObjects)) {
         ObjectDescription object;
         reader.require("name", "a name for messages and events");
@@ -113,6 +115,8 @@ void readObjects(const TableReader& scene, WorldDescription& world) {
         reader.read("friction", object.friction, {0, 10});
         reader.read("restitution", object.restitution, {0, 1});
         reader.read("colour", object.colour, {0, 1});
+        object.mayOverlap = readOverlap(reader);
+        object.where = reader.where("position");
         world.objects.push_back(std::move(object));
     }
 }

@@ -46,9 +46,10 @@ void readRoom(const TableReader& root, WorldDescription& world) {
 
 void readContact(const TableReader& root, WorldDescription& world) {
     world.contact = true;
-    const auto contact = root.table("contact", {"enabled"});
+    const auto contact = root.table("contact", {"enabled", "parting_speed"});
     if (!contact) return;
     contact->read("enabled", world.contact);
+    contact->read("parting_speed", world.partingSpeed, {0.2, 100, "m/s"});
     if (!world.contact && !world.objects.empty())
         contact->fail("enabled",
                       "the scene has objects, which touch nothing without contact; leave enabled "

@@ -79,6 +79,7 @@ void addBody(Writer& out, const BodyDescription& body, const std::vector<std::st
     for (const Side side : body.anchors)
         anchors += (anchors.empty() ? "" : ", ") + text(kSides[static_cast<int>(side)]);
     out.addRaw("anchor", "[" + anchors + "]");
+    if (body.mayOverlap) out.add("overlap", std::string_view("allow"));
     for (const RegionDescription& region : body.regions) {
         out.heading("[[body.region]]");
         out.add("from", region.from);
@@ -122,6 +123,7 @@ void addObject(Writer& out, const ObjectDescription& object) {
     out.add("friction", object.friction);
     out.add("restitution", object.restitution);
     out.add("colour", object.colour);
+    if (object.mayOverlap) out.add("overlap", std::string_view("allow"));
 }
 
 void addEvents(Writer& out, const WorldDescription& world) {
@@ -194,6 +196,7 @@ std::string writeScene(const Scene& scene) {
     }
     out.heading("[contact]");
     out.add("enabled", world.contact);
+    out.add("parting_speed", world.partingSpeed);
     out.heading("[camera]");
     out.add("position", scene.camera.position);
     out.add("target", scene.camera.target);

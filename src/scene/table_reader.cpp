@@ -73,6 +73,12 @@ std::string TableReader::where() const {
     return location(isRoot_ ? 0 : table_->source().begin.line) + what_;
 }
 
+std::string TableReader::where(std::string_view key) const {
+    const toml::node* node = table_->get(key);
+    const std::uint32_t line = (node ? *node : *table_).source().begin.line;
+    return location(isRoot_ && !node ? 0 : line) + (isRoot_ ? "" : what_ + ": ") + std::string(key);
+}
+
 void TableReader::failAt(const toml::node* node, const std::string& problem) const {
     // The root has no line of its own.
     std::uint32_t line = node && !(isRoot_ && node == table_) ? node->source().begin.line : 0;

@@ -78,6 +78,8 @@ class TableReader {
 
     /// "FILE:LINE: TABLE", for later messages.
     std::string where() const;
+    /// "FILE:LINE: TABLE: KEY", with the line of the key if it is there.
+    std::string where(std::string_view key) const;
 
     /// Throws InputError "FILE:LINE: TABLE: `problem`", with the line of the key if it is there.
     [[noreturn]] void fail(std::string_view key, const std::string& problem) const;

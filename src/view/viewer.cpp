@@ -321,7 +321,7 @@ void view(const Options& options) {
     }
     if (!options.solver.empty()) findSolver(options.solver);
     // What is wrong is a sentence, not a window that vanishes.
-    loadScene(options.scene);
+    startOverlaps(loadScene(options.scene).world);
     if (!options.shaders.empty()) ShaderFolder check(options.shaders);
     gl::Window::Options shown;
     shown.title = "Sunder";

@@ -281,6 +281,7 @@ TEST_CASE("every solver's objects push as the reference's") {
     d.objects[0].spin = {20, 10, -5};
     d.objects[1].spin = {3, 2, -9};
     d.objects[2].orientation = Eigen::AngleAxisd(0.3, Vec3(1, 2, 2) / 3);
+    for (ObjectDescription& object : d.objects) object.mayOverlap = true;  // by 5 mm
     const World world(d);
     ReferenceSolver reference(world);
     for (int snapshot = 0; snapshot < 4; ++snapshot) {
@@ -373,6 +374,7 @@ TEST_CASE("whatever an object is and does, no number is lost") {
         d.gravity = {0, -9.81, 0};
         d.objects = {c.object};
         d.objects[0].spin = {100, 300, 1000};
+        d.objects[0].mayOverlap = true;
         const World world(d);
         for (const SolverUnderTest& under : touchingSolvers()) {
             INFO(under.name << ", " << c.what);

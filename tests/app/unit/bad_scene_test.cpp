@@ -50,6 +50,8 @@ TEST_CASE("App: a bad scene file is one sentence with file and line, and leaves 
         {replaced(good, "[6, 4, 1]", "[4000, 4000, 4000]"), {"bad.toml:10:", "cells", "16777216"}},
         {replaced(good, "'soft'\n", "'sofd'\n"), {"bad.toml:8:", "'sofd'", "soft"}},
         {replaced(good, "frames = 5", "frames = 0"), {"bad.toml:1:", "frames"}},
+        {replaced(good, "[0, 1, 0]", "[0, -0.3, 0]"),
+         {"bad.toml:11:", "position", "'wall'", "0.3 m below the ground"}},
     };
     for (const Case& c : cases) {
         const Workplace place;
