@@ -77,7 +77,7 @@ class Bench {
         entrants(options_, true);
         Scene scene = hitAtOnce(loadScene(options_.scene.empty() ? "stress" : options_.scene));
         if (options_.walls) scene = withWalls(std::move(scene), *options_.walls);
-        for (const std::string& path : {options_.json, options_.svg}) checkWritable(path);
+        checkOutputs({{"--json", options_.json}, {"--svg", options_.svg}});
         openContext();
         entrants_ = entrants(options_, context_ != nullptr);
         report_.processor = processorName();

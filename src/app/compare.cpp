@@ -44,7 +44,7 @@ std::string toJson(const CompareOptions& options, const Image& a, const Comparis
 }
 
 int compareFiles(const CompareOptions& options) {
-    for (const std::string& path : {options.json, options.difference}) checkWritable(path);
+    checkOutputs({{"--json", options.json}, {"--diff", options.difference}});
     const Image a = readPng(options.first), b = readPng(options.second);
     if (a.width != b.width || a.height != b.height) {
         std::cout << "different: " << options.first << " has " << a.width << " x " << a.height

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/sheet_frames.hpp"
+#include "files/write_file.hpp"
 #include "image/contact_sheet.hpp"
 #include "image/scaling.hpp"
 #include "image/video_file.hpp"
@@ -19,15 +20,22 @@ namespace fs = std::filesystem;
 class PngFrames : public FrameSink {
   public:
     PngFrames(fs::path folder, int every, int last)
-        : folder_(std::move(folder)), every_(every), last_(last) {}
-    bool wants(int frame) const override { return frame % every_ == 0 || frame == last_; }
-    void take(const Frame& frame) override {
-        char name[32];
-        std::snprintf(name, sizeof name, "frame_%04d.png", frame.number);
-        writePng(folder_ / name, frame.withLegend);
+        : folder_(std::move(folder)), every_(every), last_(last) {
+        std::error_code error;
+        if (!fs::is_directory(folder_, error)) return;
+        for (int frame = 0; frame <= last_; ++frame)
+            if (wants(frame) && fs::is_directory(path(frame), error)) checkWritable(path(frame));
     }
+    bool wants(int frame) const override { return frame % every_ == 0 || frame == last_; }
+    void take(const Frame& frame) override { writePng(path(frame.number), frame.withLegend); }
 
   private:
+    fs::path path(int frame) const {
+        char name[32];
+        std::snprintf(name, sizeof name, "frame_%04d.png", frame);
+        return folder_ / name;
+    }
+
     fs::path folder_;
     int every_, last_;
 };

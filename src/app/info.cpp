@@ -24,6 +24,7 @@ nlohmann::ordered_json toJson(const gl::DeviceInfo& info) {
 }
 
 int info(const std::string& jsonPath) {
+    checkWritable(jsonPath);
     nlohmann::ordered_json report;
     report["devices"] = nlohmann::ordered_json::array();
     for (const gl::DeviceListEntry& entry : gl::listDevices()) {

@@ -1,21 +1,34 @@
 #include "app/output_path.hpp"
 
 #include "core/types.hpp"
+#include "files/write_file.hpp"
 
 namespace sunder::app {
+namespace {
 
 namespace fs = std::filesystem;
 
-void checkWritable(const fs::path& path, const fs::path& out) {
-    if (path.empty()) return;
+/// Two results would be one; a device or a pipe takes both.
+bool sameFile(const fs::path& a, const fs::path& b) {
     std::error_code error;
-    if (fs::is_directory(path, error))
-        throw InputError("cannot write '" + path.string() + "': it is a folder");
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    const auto plain = [](const fs::path& p) { return (p / "").lexically_normal(); };
-    if (!fs::is_directory(folder, error) && (out.empty() || plain(folder) != plain(out)))
-        throw InputError("cannot write '" + path.string() + "': there is no folder '" +
-                         folder.string() + "'");
+    if (a.empty() || b.empty() || fs::is_other(fs::status(a, error))) return false;
+    const auto plain = [&](const fs::path& path) {
+        return fs::weakly_canonical(fs::absolute(path, error), error);
+    };
+    return plain(a) == plain(b);
+}
+
+}  // namespace
+
+void checkOutputs(const std::vector<Output>& outputs) {
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        checkWritable(outputs[i].path);
+        for (std::size_t j = 0; j < i; ++j)
+            if (sameFile(outputs[i].path, outputs[j].path))
+                throw InputError(outputs[j].option + " and " + outputs[i].option +
+                                 " both write to '" + outputs[i].path.string() +
+                                 "'; give each a file of its own");
+    }
 }
 
 }  // namespace sunder::app

@@ -8,6 +8,7 @@
 
 #include "app/commands.hpp"
 #include "app/frame_sinks.hpp"
+#include "app/output_folder.hpp"
 #include "app/progress.hpp"
 #include "app/run_options.hpp"
 #include "app/run_report.hpp"
@@ -131,10 +132,7 @@ int run(RunOptions options) {
     if (!sinks.empty())
         painter.emplace(scene, world, *context, *solver, *buffers, settings, wallColour(options));
     if (context) context->check();
-    std::error_code error;
-    fs::create_directories(options.out, error);
-    if (error)
-        throw InputError("--out: cannot make the folder '" + options.out + "': " + error.message());
+    const OutputFolder folder(options.out);
 
     for (const std::string& warning : limitWarnings(scene, world))
         std::cerr << "sunder: note: " << warning << '\n';

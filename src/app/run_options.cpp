@@ -5,9 +5,12 @@
 #include <charconv>
 #include <tuple>
 
+#include "app/output_folder.hpp"
 #include "app/output_path.hpp"
 #include "app/picture_size.hpp"
 #include "app/sheet_frames.hpp"
+#include "files/held_signals.hpp"
+#include "files/write_file.hpp"
 
 namespace sunder::app {
 namespace {
@@ -79,6 +82,16 @@ void addPictureOptions(CLI::App& command, RunOptions& options) {
         ->capture_default_str();
 }
 
+void checkRunOutputs(const RunOptions& options) {
+    const HeldSignals held;
+    const OutputFolder trial(options.out);
+    checkOutputs({{"--json", options.json},
+                  {"--state", options.state},
+                  {"--video", options.video},
+                  {"--contact-sheet", options.contactSheet}});
+    checkWritable(std::filesystem::path(options.out) / "report.json");
+}
+
 }  // namespace
 
 void addRunOptions(CLI::App& command, RunOptions& options) {
@@ -105,9 +118,7 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
 void checkRunOptions(const RunOptions& options) {
     if (!(options.fps >= 1 && options.fps <= 1000))  // CLI::Range lets nan through
         throw InputError("--fps: it must be from 1 to 1000");
-    for (const std::string& path :
-         {options.json, options.state, options.video, options.contactSheet})
-        checkWritable(path, options.out);
+    checkRunOutputs(options);
     if (!options.contactSheet.empty() && !options.contactSheet.ends_with(".png"))
         throw InputError("--contact-sheet: '" + options.contactSheet +
                          "' is written as a PNG picture and must end in .png");

@@ -34,7 +34,8 @@ struct RunOptions {
 /// Adds them to the subcommand; `options` must outlive it.
 void addRunOptions(CLI::App& command, RunOptions& options);
 
-/// What CLI11 cannot check of one option alone. Throws InputError.
+/// What CLI11 cannot check of one option alone, and whether results can be written where they are
+/// wanted. Throws InputError; leaves no file. `out` must be set.
 void checkRunOptions(const RunOptions&);
 
 /// Throws InputError.

@@ -5,8 +5,8 @@
 #include <tuple>
 
 #include "app/commands.hpp"
-#include "app/output_path.hpp"
 #include "app/picture_size.hpp"
+#include "files/write_file.hpp"
 
 namespace sunder::app {
 
@@ -38,6 +38,7 @@ void addView(CLI::App& app, Action& chosen) {
         chosen = [options, size] {
             if (!size->empty()) std::tie(options->width, options->height) = parsePictureSize(*size);
             checkWritable(options->log);
+            checkWritable(options->folder / "picture.png");
             view::view(*options);
             return kDone;
         };

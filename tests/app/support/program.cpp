@@ -89,6 +89,18 @@ class Variable {
     bool wasSet_ = false;
 };
 
+/// All of them, set while it lives.
+class SetVariables {
+  public:
+    explicit SetVariables(const Workplace::Environment& environment) {
+        for (const auto& [name, value] : environment)
+            variables_.push_back(std::make_unique<Variable>(name, value));
+    }
+
+  private:
+    std::vector<std::unique_ptr<Variable>> variables_;
+};
+
 /// The current folder while it lives; a child inherits it.
 class CurrentFolder {
   public:
@@ -144,15 +156,17 @@ Result Workplace::runWithMemoryUpTo(int kilobytes, const std::vector<std::string
     return runInShell("ulimit -v " + std::to_string(kilobytes) + "; ", arguments, environment);
 }
 
+RunningProgram Workplace::start(const std::vector<std::string>& arguments,
+                                const Environment& environment) const {
+    const SetVariables variables(environment);
+    const CurrentFolder here(work_);
+    // Outside work_, so that contents() shows only what the program made.
+    const std::string own = (root_ / randomName()).string();
+    return {arguments, own + "-out.txt", own + "-err.txt"};
+}
+
 bool Workplace::runAndKill(const std::vector<std::string>& arguments, int milliseconds,
                            const std::string& last) const {
-    using Clock = std::chrono::steady_clock;
-    std::vector<std::string> words{SUNDER_PROGRAM};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<char*> pointers;
-    for (std::string& word : words) pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-
     const std::set<std::string> before = contents();
     const auto appeared = [&] {
         for (const std::string& name : contents())
@@ -160,26 +174,76 @@ bool Workplace::runAndKill(const std::vector<std::string>& arguments, int millis
                 return true;
         return false;
     };
-    const CurrentFolder here(work_);
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    for (const int output : {STDOUT_FILENO, STDERR_FILENO})
-        posix_spawn_file_actions_addopen(&files, output, "/dev/null", O_WRONLY, 0);
-    pid_t process = -1;
-    const int error =
-        posix_spawn(&process, SUNDER_PROGRAM, &files, nullptr, pointers.data(), environ);
-    posix_spawn_file_actions_destroy(&files);
-    REQUIRE(error == 0);
-    int status = 0;
-    const auto ended = [&] { return waitpid(process, &status, WNOHANG) == process; };
+    RunningProgram program = start(arguments);
+    using Clock = std::chrono::steady_clock;
     const auto giveUp = Clock::now() + std::chrono::minutes(2);
     while (!appeared() && Clock::now() < giveUp)
-        if (ended()) return false;
+        if (!program.running()) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
-    if (ended()) return false;
-    kill(process, SIGKILL);
-    waitpid(process, &status, 0);
+    if (!program.running()) return false;
+    program.send(SIGKILL);
+    program.wait();
     return true;
+}
+
+RunningProgram::RunningProgram(std::vector<std::string> arguments, std::string out, std::string err)
+    : out_(std::move(out)), err_(std::move(err)) {
+    arguments.insert(arguments.begin(), SUNDER_PROGRAM);
+    std::vector<char*> pointers;
+    for (std::string& word : arguments) {
+        command_ += ::quoted(word) + ' ';
+        pointers.push_back(word.data());
+    }
+    pointers.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    constexpr int kNew = O_WRONLY | O_CREAT | O_TRUNC;
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out_.c_str(), kNew, 0600);
+    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, err_.c_str(), kNew, 0600);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    // Not ignored, whatever started these tests ignores.
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals, signal);
+    posix_spawnattr_setsigdefault(&attributes, &signals);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
+    pid_t process = -1;
+    const int error =
+        posix_spawn(&process, SUNDER_PROGRAM, &files, &attributes, pointers.data(), environ);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&files);
+    REQUIRE(error == 0);
+    process_ = process;
+}
+
+RunningProgram::~RunningProgram() {
+    if (!running()) return;
+    send(SIGKILL);
+    waitpid(process_, nullptr, 0);
+}
+
+bool RunningProgram::running() {
+    int status = 0;
+    if (code_ >= 0) return false;
+    if (waitpid(process_, &status, WNOHANG) != process_) return true;
+    code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return false;
+}
+
+void RunningProgram::send(int signal) const {
+    kill(process_, signal);
+}
+
+void RunningProgram::sendAll(int signal) const {
+    kill(-process_, signal);
+}
+
+Result RunningProgram::wait() {
+    INFO(command_);
+    REQUIRE(eventually([&] { return !running(); }));
+    return {code_, contentsOf(out_), contentsOf(err_), command_};
 }
 #endif
 
@@ -193,9 +257,7 @@ Result Workplace::runInShell(const std::string& before, const std::vector<std::s
     command += " > " + quoted(standardOutput.empty() ? out.string() : standardOutput) + " 2> " +
                quoted(err.string());
 
-    std::vector<std::unique_ptr<Variable>> variables;
-    for (const auto& [name, value] : environment)
-        variables.push_back(std::make_unique<Variable>(name, value));
+    const SetVariables variables(environment);
     const CurrentFolder here(work_);
     Result result;
     result.command = command;
