@@ -50,11 +50,16 @@ class VideoFrames : public FrameSink {
         if (!video_) video_.emplace(path_, image.width, image.height, fps_);
         video_->add(image);
     }
-    void finish() override { video_->finish(); }
+    void finish() override { there_ = video_ && video_->finish(); }
+    std::string outcome() const override {
+        if (!video_) return "there is no video";
+        return "the video '" + path_.string() + (there_ ? "' ends there" : "' was given up");
+    }
 
   private:
     fs::path path_;
     double fps_;
+    bool there_ = false;
     std::optional<VideoFile> video_;
 };
 
@@ -76,15 +81,22 @@ class SheetFrames : public FrameSink {
         char time[32];
         std::snprintf(time, sizeof time, "%.*f s", decimals_, frame.time);
         sheet_.add(tile, time);
+        ++taken_;
     }
-    void finish() override { writePng(path_, sheet_.image()); }
+    void finish() override {
+        if (whole()) writePng(path_, sheet_.image());
+    }
+    std::string outcome() const override { return whole() ? "" : "there is no contact sheet"; }
 
   private:
+    bool whole() const { return taken_ == frames_.size(); }
+
     fs::path path_;
     std::vector<int> frames_;
     SheetLayout layout_;
     ContactSheet sheet_;
     int decimals_;
+    std::size_t taken_ = 0;
 };
 
 }  // namespace

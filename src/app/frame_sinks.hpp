@@ -24,8 +24,10 @@ class FrameSink {
     virtual ~FrameSink() = default;
     virtual bool wants(int frame) const = 0;
     virtual void take(const Frame&) = 0;
-    /// After the last frame.
+    /// After the last frame, also of a run that was interrupted before it.
     virtual void finish() {}
+    /// What became of it where a run was interrupted, for a sentence; empty: nothing to say.
+    virtual std::string outcome() const { return {}; }
 };
 
 /// Every sink that the options ask for, of a run whose `frames` of 1/fps s follow number 0. Throws

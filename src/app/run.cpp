@@ -16,6 +16,7 @@
 #include "balance/solver_factory.hpp"
 #include "core/loss_notes.hpp"
 #include "core/vtu.hpp"
+#include "files/held_signals.hpp"
 #include "files/write_file.hpp"
 #include "gl/context.hpp"
 #include "image/image.hpp"
@@ -91,12 +92,24 @@ void deliver(int number, double fps, FramePainter& painter,
     }
 }
 
-/// Writes everything the user asked for about the last state; with pictures, the report also goes
-/// beside them.
+/// What is there of a run that was interrupted, and what is not.
+std::string interruption(const RunFacts& facts,
+                         const std::vector<std::unique_ptr<FrameSink>>& sinks) {
+    std::string said = "interrupted after " + std::to_string(facts.msPerStep.size()) + " of " +
+                       std::to_string(facts.frames) + " frames: ";
+    for (const auto& sink : sinks)
+        if (const std::string outcome = sink->outcome(); !outcome.empty()) said += outcome + ", ";
+    return said + "there is no report";
+}
+
+/// Writes everything the user asked for about the last state; the report also goes beside the
+/// pictures.
 void writeResults(const RunOptions& options, const Scene& scene, const World& world,
-                  const State& state, const RunFacts& facts) {
+                  const State& state, const RunFacts& facts, std::optional<HeldSignals>& held) {
     const std::string report = reportJson(scene, world, state, facts);
-    if (!options.out.empty()) writeFile(fs::path(options.out) / "report.json", report);
+    writeFile(fs::path(options.out) / "report.json", report);
+    // A pipe that nobody reads may keep the rest waiting for ever.
+    held.reset();
     if (!options.json.empty()) writeFile(options.json, report);
     if (!options.state.empty()) writeFile(options.state, toVtu(world, state));
 }
@@ -132,13 +145,14 @@ int run(RunOptions options) {
     if (!sinks.empty())
         painter.emplace(scene, world, *context, *solver, *buffers, settings, wallColour(options));
     if (context) context->check();
+    std::optional<HeldSignals> held(std::in_place);
     const OutputFolder folder(options.out);
 
     for (const std::string& warning : limitWarnings(scene, world))
         std::cerr << "sunder: note: " << warning << '\n';
     {
         Progress progress(scene.name, facts.frames);
-        for (int frame = 0; frame <= facts.frames; ++frame) {
+        for (int frame = 0; frame <= facts.frames && !notedSignal(); ++frame) {
             progress.update(frame);
             if (painter) deliver(frame, options.fps, *painter, sinks);
             if (frame == facts.frames) break;
@@ -152,6 +166,11 @@ int run(RunOptions options) {
         }
     }
     for (const auto& sink : sinks) sink->finish();
+    if (const int signal = notedSignal()) {
+        std::cerr << "sunder: " << interruption(facts, sinks) << '\n';
+        held->answer();
+        return exitCodeOf(signal);
+    }
     if (const auto* shared = dynamic_cast<const BalancedSolver*>(solver.get()))
         facts.bodiesOnGpu = shared->bodiesOnGpu();
     for (const std::string& note : lossNotes(*solver))
@@ -159,7 +178,7 @@ int run(RunOptions options) {
     facts.losses.contacts = solver->droppedContacts();
     const State state = solver->state();
     if (context) context->check();
-    writeResults(options, scene, world, state, facts);
+    writeResults(options, scene, world, state, facts, held);
     std::cout << reportText(scene, world, state, facts);
     if (options.pngEvery > 0)
         std::cout << "pictures: " << (fs::path(options.out) / "frame_*.png").string() << '\n';

@@ -1,18 +1,22 @@
 #include "image/fed_process.hpp"
 
 #include "core/types.hpp"
+#include "files/held_signals.hpp"
 
 #ifdef _WIN32
 #include <windows.h>
 #else
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <system_error>
+#include <thread>
 
 extern char** environ;
 #endif
@@ -98,7 +102,10 @@ FedProcess::FedProcess(const std::vector<std::string>& command)
     sigemptyset(&pipes);
     sigaddset(&pipes, SIGPIPE);
     posix_spawnattr_setsigdefault(&attributes, &pipes);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+    // A group of its own: Ctrl+C in a terminal goes to all of this program's, and it is for this
+    // program to say when the other one ends.
+    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
 
     std::vector<char*> words;
     for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
@@ -115,6 +122,8 @@ FedProcess::FedProcess(const std::vector<std::string>& command)
     if (error) fail(command.front(), error);
     process_ = process;
     input_ = ends[1];
+    // So that one which has stopped reading can be given up.
+    fcntl(input_, F_SETFL, O_NONBLOCK);
     started_ = true;
 }
 
@@ -125,23 +134,47 @@ FedProcess::~FedProcess() {
 }
 
 bool FedProcess::feed(std::string_view bytes) {
+    using Clock = std::chrono::steady_clock;
+    constexpr std::chrono::milliseconds kPatience(50);  // until a look at signals
+    auto fed = Clock::now();
     while (!bytes.empty()) {
+        if (givenUp_) return false;
         const ssize_t written = write(input_, bytes.data(), bytes.size());
+        if (written < 0 && errno == EAGAIN) {
+            pollfd room{input_, POLLOUT, 0};
+            poll(&room, 1, static_cast<int>(kPatience.count()));
+            if (Clock::now() - fed > kPatience) giveUp();
+            continue;
+        }
         if (written < 0 && errno == EINTR) continue;
         if (written <= 0) return false;
         bytes.remove_prefix(static_cast<std::size_t>(written));
+        fed = Clock::now();
     }
     return true;
 }
 
 bool FedProcess::close() {
     if (input_ < 0) return false;
+    giveUp();
     ::close(input_);
     input_ = -1;
     int status = 0;
-    while (waitpid(process_, &status, 0) < 0)
-        if (errno != EINTR) return false;
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    for (;;) {
+        const pid_t ended = waitpid(process_, &status, WNOHANG);
+        if (ended == process_) break;
+        if (ended < 0 && errno != EINTR) return false;
+        // A signal would not end the waiting itself: std::signal has the system go on with it.
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        giveUp();
+    }
+    return !givenUp_ && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+void FedProcess::giveUp() {
+    if (givenUp_ || !signalledAgain()) return;
+    givenUp_ = true;
+    kill(-process_, SIGKILL);
 }
 
 #endif

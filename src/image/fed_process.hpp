@@ -20,20 +20,25 @@ class FedProcess {
 
     /// False: there is no such program.
     bool started() const { return started_; }
-    /// False: it no longer reads.
+    /// False: it no longer reads, or was given up.
     bool feed(std::string_view bytes);
     /// Ends its input and waits for it to end; whether it ended well.
     bool close();
+    /// Whether it was killed because the user would not wait for it (signalledAgain()).
+    bool givenUp() const { return givenUp_; }
     /// What it wrote on its standard error; after close().
     std::string complaints() const;
 
   private:
-    bool started_ = false;
+    bool started_ = false, givenUp_ = false;
     std::FILE* errors_ = nullptr;
 #ifdef _WIN32
     std::FILE* input_ = nullptr;
     std::string errorName_;
 #else
+    /// Kills it if the user would not wait.
+    void giveUp();
+
     int input_ = -1, process_ = -1;
     void (*pipeHandler_)(int);
 #endif

@@ -95,18 +95,27 @@ VideoFile::VideoFile(const fs::path& target, const fs::path& named, int width, i
 }
 
 void VideoFile::add(const Image& image) {
-    if (!ffmpeg_.feed({reinterpret_cast<const char*>(image.pixels.data()), image.pixels.size()}))
-        fail();
+    const bool taken =
+        ffmpeg_.feed({reinterpret_cast<const char*>(image.pixels.data()), image.pixels.size()});
+    if (!taken && !ffmpeg_.givenUp()) fail();
 }
 
-void VideoFile::finish() {
-    close();
+bool VideoFile::finish() {
+    if (!close()) return false;
     temporary_.moveToTarget();
+    return true;
 }
 
-void VideoFile::close() {
+fs::path VideoFile::finishNumbered() {
+    return close() ? temporary_.moveToNextNumber() : fs::path();
+}
+
+bool VideoFile::close() {
+    const bool well = ffmpeg_.close();
+    if (ffmpeg_.givenUp()) return false;
     // On a full disk ffmpeg complains, leaves a part of the video, and ends as if all were well.
-    if (!ffmpeg_.close() || !ffmpeg_.complaints().empty()) fail();
+    if (!well || !ffmpeg_.complaints().empty()) fail();
+    return true;
 }
 
 void VideoFile::fail() {

@@ -17,14 +17,19 @@ class VideoFile {
 
     VideoFile(const std::filesystem::path&, int width, int height, double fps);
 
+    /// Nothing any more once it was given up.
     void add(const Image&);
-    /// The file is there after this.
-    void finish();
+    /// The file is there after this. False: the user would not wait for it (signalledAgain()), and
+    /// there is none.
+    bool finish();
+    /// The same, under FOLDER/NAME-001.mp4 where its path is FOLDER/NAME.mp4, or under the first
+    /// number that nothing has yet; returns it, or an empty path.
+    std::filesystem::path finishNumbered();
 
   private:
     VideoFile(const std::filesystem::path& target, const std::filesystem::path& named, int width,
               int height, double fps);
-    void close();
+    bool close();
     [[noreturn]] void fail();
 
     std::filesystem::path named_;  ///< in messages
