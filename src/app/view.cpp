@@ -6,6 +6,7 @@
 
 #include "app/commands.hpp"
 #include "app/picture_size.hpp"
+#include "files/held_signals.hpp"
 #include "files/write_file.hpp"
 
 namespace sunder::app {
@@ -39,8 +40,8 @@ void addView(CLI::App& app, Action& chosen) {
             if (!size->empty()) std::tie(options->width, options->height) = parsePictureSize(*size);
             checkWritable(options->log);
             checkWritable(options->folder / "picture.png");
-            view::view(*options);
-            return kDone;
+            const int signal = view::view(*options);
+            return signal ? exitCodeOf(signal) : kDone;
         };
     });
 }

@@ -16,6 +16,8 @@ struct Image {
 /// No picture that is read or drawn may have more pixels.
 inline constexpr std::int64_t kMaxPixels = 1 << 26;
 
+/// As the bytes of a PNG file. Throws std::bad_alloc.
+std::string encodePng(const Image&);
 /// Throws InputError, as writeFile() does.
 void writePng(const std::filesystem::path& path, const Image&);
 

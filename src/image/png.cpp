@@ -5,6 +5,7 @@
 #include <fstream>
 #include <limits>
 #include <memory>
+#include <new>
 #include <string>
 
 #include "core/types.hpp"
@@ -54,14 +55,18 @@ void append(void* context, void* data, int size) {
 
 }  // namespace
 
-void writePng(const fs::path& path, const Image& image) {
+std::string encodePng(const Image& image) {
     assert(image.width > 0 && image.height > 0);
     assert(image.pixels.size() == std::size_t{3} * image.width * image.height);
     std::string bytes;
     if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, image.pixels.data(),
                                 3 * image.width))
-        fail(path, "cannot be written: not enough memory to encode the picture");
-    writeFile(path, bytes);
+        throw std::bad_alloc();
+    return bytes;
+}
+
+void writePng(const fs::path& path, const Image& image) {
+    writeFile(path, encodePng(image));
 }
 
 Image readPng(const fs::path& path) {

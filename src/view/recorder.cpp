@@ -1,25 +1,13 @@
 #include "view/recorder.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace sunder::view {
 
 namespace fs = std::filesystem;
 
-fs::path freshFile(const fs::path& folder, const std::string& name, const std::string& ending) {
-    for (int number = 1;; ++number) {
-        char digits[16];
-        std::snprintf(digits, sizeof digits, "-%03d", number);
-        fs::path path = folder / (name + digits + ending);
-        std::error_code error;
-        if (!fs::exists(path, error)) return path;
-    }
-}
-
 Recorder::Recorder(const fs::path& path, int width, int height)
-    : path_(path),
-      width_(width & ~1),
+    : width_(width & ~1),
       height_(height & ~1),
       video_((VideoFile::check(path, width_, height_, 60), path), width_, height_, 60) {}
 

@@ -137,20 +137,28 @@ void Session::newSeed() {
     say("A new wall, seed " + std::to_string(seed));
 }
 
-bool Session::mayWrite(const fs::path& path) {
-    std::error_code error;
-    if (!ownFiles_.insert(path).second || !fs::exists(path, error)) return true;
+bool Session::save(const fs::path& path, std::string_view bytes) {
+    if (ownFiles_.count(path)) {
+        writeFile(path, bytes);
+        return true;
+    }
+    const bool written = writeNewFile(path, bytes);
+    ownFiles_.insert(path);
+    if (written) return true;
     say(path.string() + " is there already; save again to replace it", true);
     return false;
+}
+
+fs::path Session::unnumbered(const char* ending) const {
+    return folder / (scene().name + ending);
 }
 
 void Session::saveScene(const std::string& name) {
     attempt([&] {
         const fs::path path = tomlPath(folder, name);
-        if (!mayWrite(path)) return;
         Scene saved = scene();
         saved.camera = camera.description();
-        writeFile(path, writeScene(saved));
+        if (!save(path, writeScene(saved))) return;
         say("Saved; run it with: sunder run " + path.string());
         log.add("saved_scene", {{"path", path.string()}});
     });
@@ -159,8 +167,7 @@ void Session::saveScene(const std::string& name) {
 void Session::saveMaterial(int index, const std::string& name) {
     attempt([&] {
         const fs::path path = tomlPath(folder, name);
-        if (!mayWrite(path)) return;
-        writeFile(path, writeMaterial(scene().world.materials[index]));
+        if (!save(path, writeMaterial(scene().world.materials[index]))) return;
         say("Saved; a scene uses it by: material = \"" + path.filename().string() + "\"");
         log.add("saved_material", {{"path", path.string()}});
     });
@@ -304,38 +311,44 @@ void Session::addLegend(Image& picture) const {
 void Session::savePicture(Image picture) {
     pictureWanted_ = false;
     attempt([&] {
-        const fs::path path = freshFile(folder, scene().name, ".png");
         addLegend(picture);
-        writePng(path, picture);
+        const fs::path path = writeNumberedFile(unnumbered(".png"), encodePng(picture));
         say("Picture saved: " + path.string());
         log.add("picture", {{"path", path.string()}});
     });
 }
 
 void Session::toggleRecording() {
-    try {
-        if (recorder_) {
-            const std::string path = recorder_->path().string();
-            const int frames = recorder_->frames();
-            clock.setFixed(false);
-            if (frames > 0) recorder_->finish();
-            recorder_.reset();
-            if (frames > 0) say("Video saved: " + path);
-            log.add("video", {{"path", path}, {"frames", frames}});
-            return;
-        }
-        recorder_.emplace(freshFile(folder, scene().name, ".mp4"), area.width, area.height);
-        clock.setFixed(true);
-        log.add("recording", {{"path", recorder_->path().string()}});
-    } catch (const InputError& error) {
-        abandonRecording(error);
+    if (recorder_) {
+        endRecording();
+        return;
     }
+    attempt([&] {
+        recorder_.emplace(unnumbered(".mp4"), area.width, area.height);
+        clock.setFixed(true);
+        log.add("recording", {{"folder", folder.string()}});
+    });
 }
 
-void Session::abandonRecording(const InputError& error) {
+std::string Session::endRecording() {
+    std::string outcome;
+    const bool well = attempt([&] { outcome = finishRecording(); });
+    dropRecorder();
+    if (well) say(outcome);
+    return messages_.back().text;
+}
+
+void Session::dropRecorder() {
     clock.setFixed(false);
     recorder_.reset();
-    say(error.what(), true);
+}
+
+std::string Session::finishRecording() {
+    const int frames = recorder_->frames();
+    const std::string path = frames > 0 ? recorder_->finish().string() : "";
+    log.add("video", {{"path", path}, {"frames", frames}});
+    if (frames == 0) return "No picture was recorded, so there is no video";
+    return path.empty() ? "The video was given up" : "Video saved: " + path;
 }
 
 void Session::record(Image picture) {
@@ -343,9 +356,10 @@ void Session::record(Image picture) {
         addLegend(picture);
         if (recorder_->add(picture)) return;
         say("The window has another size now; the video ends before");
-        toggleRecording();
+        endRecording();
     } catch (const InputError& error) {
-        abandonRecording(error);
+        dropRecorder();
+        say(error.what(), true);
     }
 }
 

@@ -103,6 +103,8 @@ class Session {
     bool pictureWanted() const { return pictureWanted_; }
     void savePicture(Image);
     void toggleRecording();
+    /// Says what has become of the video, and returns it.
+    std::string endRecording();
     bool recording() const { return recorder_.has_value(); }
     const Recorder& recorder() const { return *recorder_; }
     void record(Image);
@@ -145,11 +147,14 @@ class Session {
     std::unique_ptr<Stage> newStage(Scene, const State*, const Stage* like);
     /// Says what the wall that stands now is not as its scene has it.
     void sayCompromises();
-    /// Whether a file may be written: it is new, or was written before, or is asked for again.
-    bool mayWrite(const std::filesystem::path&);
+    /// Whether the file was written: it is new, or was written before, or is asked for again.
+    bool save(const std::filesystem::path&, std::string_view bytes);
+    /// Where pictures and videos of the scene go, less a number.
+    std::filesystem::path unnumbered(const char* ending) const;
     void addLegend(Image&) const;
-    /// Says why, and has the clock run as before.
-    void abandonRecording(const InputError&);
+    /// Moves the video to its name. Returns what has become of it. Throws InputError.
+    std::string finishRecording();
+    void dropRecorder();
     /// Builds everything with the folder's shaders, or says why not.
     void tryShaders();
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <map>
 #include <set>
 
 #include "core/loss_notes.hpp"
+#include "files/held_signals.hpp"
 #include "gpu/pass_timer.hpp"
 #include "view/controls.hpp"
 #include "view/every.hpp"
@@ -19,7 +21,9 @@ class Viewer {
     Viewer(gl::Window& window, const Options& options, const Settings& settings)
         : window_(window), session_(window, options, settings), interface_(window) {}
 
-    void run() {
+    /// Returns the signal that ended it, or 0.
+    int run() {
+        HeldSignals held;
         session_.clock.skip();  // windows take their time to open
         try {
             goOn();
@@ -27,16 +31,22 @@ class Viewer {
             remember();
             throw;
         }
-        remember();
+        const std::string recording = remember();
         session_.stage.reset();
         session_.log.add("closed", {{"frames", frames_}, {"gl_bytes_left", gl::allocatedBytes()}});
+        const int signal = notedSignal();
+        if (signal)
+            std::cerr << "sunder: interrupted" << (recording.empty() ? recording : ": " + recording)
+                      << '\n';
+        held.answer();
+        return signal;
     }
     void sayProblem(const std::string& text) { session_.say(text, true); }
 
   private:
     void goOn() {
         auto last = Instant::now();
-        while (!window_.closing()) {
+        while (!window_.closing() && !notedSignal()) {
             // Nothing moves while it is paused, so a frame then waits for what the user does.
             constexpr double kFrame = 1.0 / 60;
             const bool still = session_.clock.paused();
@@ -277,8 +287,10 @@ class Viewer {
              {"gl_bytes", gl::allocatedBytes()}});
     }
 
-    void remember() {
-        if (session_.recording()) session_.toggleRecording();
+    /// Settings, and what was recorded; returns what became of that.
+    std::string remember() {
+        std::string recording;
+        if (session_.recording()) recording = session_.endRecording();
         Settings& settings = session_.settings;
         // A settings file has its bounds.
         settings.width = std::clamp(window_.plainWidth(), 320, 16384);
@@ -288,6 +300,7 @@ class Viewer {
         } catch (const InputError& error) {
             session_.log.add("problem", {{"text", error.what()}});
         }
+        return recording;
     }
 
     gl::Window& window_;
@@ -306,7 +319,7 @@ class Viewer {
 
 }  // namespace
 
-void view(const Options& options) {
+int view(const Options& options) {
     std::string problem;
     Settings settings;
     try {
@@ -338,7 +351,7 @@ void view(const Options& options) {
     }
     Viewer viewer(*window, options, settings);
     if (!problem.empty()) viewer.sayProblem(problem);
-    viewer.run();
+    return viewer.run();
 }
 
 }  // namespace sunder::view

@@ -43,6 +43,7 @@ Child::Child(const std::vector<std::string>& command, const std::map<std::string
     arguments.push_back(nullptr);
     pid_ = fork();
     if (pid_ != 0) return;
+    signal(SIGINT, SIG_DFL);  // not ignored, whatever started these tests ignores
     const int file = open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     dup2(file, STDOUT_FILENO);
     dup2(file, STDERR_FILENO);
@@ -77,6 +78,10 @@ bool Child::running() {
     if (waitpid(pid_, &status, WNOHANG) != pid_) return true;
     code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return false;
+}
+
+void Child::send(int signal) const {
+    kill(pid_, signal);
 }
 
 int Child::wait(double seconds) {

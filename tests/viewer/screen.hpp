@@ -19,6 +19,7 @@ class Child {
     Child& operator=(Child&&) noexcept;
 
     bool running();
+    void send(int signal) const;
     /// Waits up to so many seconds; −1: it still runs, 128 + n: signal n ended it.
     int wait(double seconds);
     /// Stops it until resume(), as a machine does that is busy with something else.

@@ -230,10 +230,10 @@ void ViewerUnderTest::quit() {
     endsSoundly();
 }
 
-void ViewerUnderTest::endsSoundly() {
+void ViewerUnderTest::endsSoundly(int exitCode) {
     const int code = child_.wait(60);
     INFO(output());
-    CHECK(code == 0);
+    CHECK(code == exitCode);
     CHECK(events("gl_error").empty());
     const std::vector<Json> closed = events("closed");
     REQUIRE(closed.size() == 1);

@@ -66,8 +66,9 @@ class ViewerUnderTest {
 
     /// Ctrl+Q, and endsSoundly().
     void quit();
-    /// Waits for its end: exit code 0, no GL error and nothing left on the GPU.
-    void endsSoundly();
+    /// Waits for its end: this exit code, no GL error and nothing left on the GPU.
+    void endsSoundly(int exitCode = 0);
+    void send(int signal) const { child_.send(signal); }
     std::string output() const;
     /// Text of a file in the folder that it was told to write to.
     std::string written(const std::string& file) const;

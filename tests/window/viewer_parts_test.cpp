@@ -9,7 +9,6 @@
 #include "scene/scene.hpp"
 #include "support/test_folder.hpp"
 #include "view/picker.hpp"
-#include "view/recorder.hpp"
 #include "view/settings.hpp"
 #include "view/shader_folder.hpp"
 #include "view/simulation.hpp"
@@ -236,14 +235,6 @@ TEST_CASE("A settings file with a mistake is named, with its line", "[view]") {
     CHECK_THROWS_WITH(readSettings(file), Catch::Contains("viewer.toml:2") &&
                                               Catch::Contains("solver") &&
                                               Catch::Contains("gather"));
-}
-
-TEST_CASE("Pictures get a number that no file has", "[view]") {
-    const TestFolder folder;
-    CHECK(freshFile(folder.path(), "wood", ".png") == folder.path() / "wood-001.png");
-    std::ofstream(folder.path() / "wood-001.png") << "x";
-    std::ofstream(folder.path() / "wood-003.png") << "x";
-    CHECK(freshFile(folder.path(), "wood", ".png") == folder.path() / "wood-002.png");
 }
 
 TEST_CASE("A folder of shaders is read as it is, and tells that it changed", "[view]") {
