@@ -25,7 +25,8 @@ RoundedBox cornerBox(RoundedBox box, int corner, out bool repeated) {
 // Overlaps part slowly. share: the smaller one of both sides' loadShare().
 void settle(inout Touch touch, float share) {
     if (touch.gap < 0.0) touch.gap *= max(kLoadedDepth, share);
-    limitDepth(touch, min(settlingSpeed, kPushShare * fastestParting), stepSize);
+    float fastest = kPushShare * fastestParting;
+    limitDepth(touch, share < 1.0 ? min(settlingSpeed, fastest) : fastest, stepSize);
 }
 
 // towards: the unit vector from the object to a barrier that lies `place` along it.

@@ -148,9 +148,9 @@ struct TouchSum {
 double loadAfter(const Object& object, double load, const TouchSum& sum, double step, double most);
 /// kg, of all bodies and objects.
 double massOf(const World& world);
-/// m/s: objects that overlap each other or a barrier part no faster: twenty times what gravity adds
-/// in a step, for a box on its corners needs four times that to be carried. Much faster, a stack
-/// that was pressed together would jump.
+/// m/s: loaded objects that overlap each other or a barrier part no faster: twenty times what
+/// gravity adds in a step, for a box on its corners needs four times that to be carried. Much
+/// faster, a stack that was pressed together would jump.
 double settlingSpeed(const World& world);
 
 /// Of an object, before it is multiplied by K.

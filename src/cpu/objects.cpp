@@ -183,7 +183,7 @@ void Objects::add(Active active) {
         const double lighter =
             std::min(share(active.object), active.other >= 0 ? share(active.other) : 1);
         if (active.touch.gap < 0) active.touch.gap *= std::max(kLoadedDepth, lighter);
-        limitDepth(active.touch, settlingSpeed_, world_.step());
+        if (lighter < 1) limitDepth(active.touch, settlingSpeed_, world_.step());
     }
     limitDepth(active.touch, world_.pushSpeed(), world_.step());
     if (!touches(active.touch, active.velocity, world_.step())) return;
