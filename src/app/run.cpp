@@ -92,11 +92,32 @@ void deliver(int number, double fps, FramePainter& painter,
     }
 }
 
-/// What is there of a run that was interrupted, and what is not.
+/// Frame after frame to the last, or until a signal.
+void play(const RunOptions& options, const std::string& name, Solver& solver,
+          IncidentRing& incidents, FramePainter* painter,
+          const std::vector<std::unique_ptr<FrameSink>>& sinks, RunFacts& facts) {
+    Progress progress(name, facts.frames);
+    for (int frame = 0; frame <= facts.frames && !notedSignal(); ++frame) {
+        progress.update(frame);
+        if (painter) deliver(frame, options.fps, *painter, sinks);
+        if (frame == facts.frames) break;
+        const auto start = std::chrono::steady_clock::now();
+        solver.advance(facts.stepsPerFrame);
+        solver.finish();
+        const std::chrono::duration<double, std::milli> elapsed =
+            std::chrono::steady_clock::now() - start;
+        facts.msPerStep.push_back(elapsed.count() / facts.stepsPerFrame);
+        facts.incidents.take(incidents);
+    }
+}
+
+/// What is there of a run that was interrupted, and what is not. `problem`: what went wrong then.
 std::string interruption(const RunFacts& facts,
-                         const std::vector<std::unique_ptr<FrameSink>>& sinks) {
+                         const std::vector<std::unique_ptr<FrameSink>>& sinks,
+                         const std::string& problem) {
     std::string said = "interrupted after " + std::to_string(facts.msPerStep.size()) + " of " +
                        std::to_string(facts.frames) + " frames: ";
+    if (!problem.empty()) said += problem + ", ";
     for (const auto& sink : sinks)
         if (const std::string outcome = sink->outcome(); !outcome.empty()) said += outcome + ", ";
     return said + "there is no report";
@@ -150,24 +171,17 @@ int run(RunOptions options) {
 
     for (const std::string& warning : limitWarnings(scene, world))
         std::cerr << "sunder: note: " << warning << '\n';
-    {
-        Progress progress(scene.name, facts.frames);
-        for (int frame = 0; frame <= facts.frames && !notedSignal(); ++frame) {
-            progress.update(frame);
-            if (painter) deliver(frame, options.fps, *painter, sinks);
-            if (frame == facts.frames) break;
-            const auto start = std::chrono::steady_clock::now();
-            solver->advance(facts.stepsPerFrame);
-            solver->finish();
-            const std::chrono::duration<double, std::milli> elapsed =
-                std::chrono::steady_clock::now() - start;
-            facts.msPerStep.push_back(elapsed.count() / facts.stepsPerFrame);
-            facts.incidents.take(incidents);
-        }
+    std::string problem;
+    try {
+        play(options, scene.name, *solver, incidents, painter ? &*painter : nullptr, sinks, facts);
+        for (const auto& sink : sinks) sink->finish();
+    } catch (const InputError& error) {
+        // What ends this program may have ended ffmpeg as well.
+        if (!notedSignal()) throw;
+        problem = error.what();
     }
-    for (const auto& sink : sinks) sink->finish();
     if (const int signal = notedSignal()) {
-        std::cerr << "sunder: " << interruption(facts, sinks) << '\n';
+        std::cerr << "sunder: " << interruption(facts, sinks, problem) << '\n';
         held->answer();
         return exitCodeOf(signal);
     }

@@ -25,6 +25,7 @@ ObjectDescription object(ObjectShape shape, const Vec3& halfSize) {
     description.shape = shape;
     description.halfSize = halfSize;
     description.position = Vec3(0, 0.5, 0);
+    description.mayOverlap = true;  // with the wall, which is moved away
     description.orientation = Eigen::AngleAxisd(0.9, Vec3(0.5, -0.3, 0.8).normalized());
     description.colour = {0.8, 0.1, 0.1};  // unlike the sky wherever it is lit or not
     return description;

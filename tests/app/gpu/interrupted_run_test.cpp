@@ -123,6 +123,22 @@ TEST_CASE("App: an ffmpeg that no longer reads does not keep a run from ending")
     CHECK_FALSE(fs::exists(place.path("a.mp4")));
 }
 
+TEST_CASE("App: a signal that ends ffmpeg as well leaves no video, and that is said") {
+    const Workplace place;
+    place.write("ok.toml", scenes::kFalling);
+    // It reads a little and then waits, so that it is fed when the signals come.
+    const Workplace::Environment environment = withFfmpeg(place, "exec sleep 1000\n");
+    RunningProgram program =
+        place.start(endless({"--frames-png", "0", "--video", "a.mp4"}), environment);
+    REQUIRE(eventually([&] { return fs::exists(place.path("number")); }));
+    program.sendAll(SIGTERM);
+    kill(std::stoi(place.read("number")), SIGTERM);
+    checkRefused(program.wait(), 143,
+                 {"ffmpeg cannot write 'a.mp4': ", "the video 'a.mp4' was given up"});
+    CHECK_FALSE(hasLeftovers(place));
+    CHECK_FALSE(fs::exists(place.path("a.mp4")));
+}
+
 TEST_CASE("App: interrupted while it draws, every picture is whole and nothing else is there") {
     std::minstd_rand random(5);
     for (int round = 0; round < 4; ++round) {
