@@ -84,7 +84,7 @@ void OutputFolder::make(const fs::path& path) {
     for (const fs::path& folder : missing) {
         if (fs::create_directory(folder, error)) made_.push_back(folder);
         if (error)
-            throw InputError("--out: cannot make the folder '" + folder.string() +
+            throw InputError("--out: cannot make the folder '" + path.string() +
                              "': " + error.message());
     }
 }
