@@ -283,10 +283,17 @@ nlohmann::json Workplace::readJson(const std::string& name) const {
 }
 
 std::set<std::string> Workplace::contents() const {
-    std::set<std::string> names;
-    for (const auto& entry : fs::recursive_directory_iterator(work_))
-        names.insert(entry.path().lexically_relative(work_).generic_string());
-    return names;
+    // A program that runs may remove a folder while it is read: then what it holds is asked again.
+    for (int attempt = 0; attempt < 100; ++attempt) {
+        std::set<std::string> names;
+        std::error_code error;
+        for (fs::recursive_directory_iterator at(work_, error), end; !error && at != end;
+             at.increment(error))
+            names.insert(at->path().lexically_relative(work_).generic_string());
+        if (!error) return names;
+    }
+    FAIL("the folder of the test cannot be read");
+    return {};
 }
 
 void checkRefused(const Result& result, int exitCode, const std::vector<std::string>& parts) {
