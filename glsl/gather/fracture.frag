@@ -21,6 +21,8 @@ float principalStress(int cell) {
 #endif
 }
 
+float slowStress(int cell) { return texelFetch(bonds, ivec3(texelAddress(cell), 1), 0).w; }
+
 mat3 biot(int cell, int tetrahedron) {
 #if BONDS_BREAK
     vec4 a = stressLayer(cell, tetrahedron), pair = stressLayer(cell, 4 + tetrahedron / 2);
@@ -35,9 +37,8 @@ void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
     newDamage = texelFetch(bonds, ivec3(texel, 0), 0);
     newSlow = texelFetch(bonds, ivec3(texel, 1), 0);
-    vec3 before = newDamage.xyz, d = before, s = newSlow.xyz;
-    updateBonds(fragmentIndex(), d, s);
+    vec3 before = newDamage.xyz, d = before;
+    updateBonds(fragmentIndex(), d, newSlow);
     bool grew = any(notEqual(d, before)) || (!newWatch && newDamage.w > 0.0);
     newDamage = vec4(d, grew ? 1.0 : 0.0);
-    newSlow.xyz = s;
 }

@@ -8,6 +8,9 @@ vec2 faceTraction(mat3 T, int axis) {
     return vec2(T[axis][axis], length(vec2(T[axis][b], T[axis][c])));
 }
 
+// Share of what is new in a stress that its slow part takes up in `interval` seconds.
+float slowShare(float interval) { return min(1.0, interval / 0.1); }
+
 // Advances damage and the slow part of the traction of one bond by `interval` seconds. The difference of the two normal
 // tractions catches bending; only what exceeds the slow part is scaled by S = √(E/E_eff), or dead weight would be too.
 void updateBond(ElementLaw law, vec2 first, vec2 second, float strength, float interval, inout float damage,
@@ -19,7 +22,7 @@ void updateBond(ElementLaw law, vec2 first, vec2 second, float strength, float i
     float ts = max(0.0, S * 0.5 * (first.y + second.y) - friction * max(-tn, 0.0));
     float tension = max(tn, 0.0);
     float unscaled = sqrt(tension * tension + beta * ts * ts) / S;
-    slow += (unscaled - slow) * (interval / 0.1);
+    slow += (unscaled - slow) * slowShare(interval);
     float ratio = (slow + S * max(0.0, unscaled - slow)) / strength;
     if (ratio > 1.0) damage = min(1.0, damage + interval * law.fracture.y * min(ratio - 1.0, 4.0));
 }

@@ -1,6 +1,7 @@
 // Fracture update: decides which of the bonds through a cell's +x, +y, +z faces break. Where its stress lies is the solver's
 // affair: the file that includes this defines
 //     float principalStress(int cell)          largest principal Cauchy stress of its tetrahedra, Pa, scaled by S
+//     float slowStress(int cell)               slow part of that, Pa, not scaled, as the last update left it
 //     mat3 biot(int cell, int tetrahedron)     Biot stress of corner tetrahedron 0..3, Pa
 #include "physics/lattice.glsl"
 #include "physics/bond.glsl"
@@ -9,10 +10,16 @@ uniform float interval;           // s since the last fracture update
 uniform samplerBuffer strengths;  // xyz: of the three bonds a cell owns, Pa
 
 float principalStress(int cell);
+float slowStress(int cell);
 mat3 biot(int cell, int tetrahedron);
 
+// As with bonds, only what exceeds the slow part of the stress is scaled by S.
 bool overstressed(int cell, uint law) {
-    return laws[law].fracture.x < SUNDER_UNBREAKABLE && principalStress(cell) > laws[law].fracture.x;
+    float limit = laws[law].fracture.x, S = laws[law].elasticity.w;
+    if (limit >= SUNDER_UNBREAKABLE) return false;
+    float stress = principalStress(cell);
+    if (S > 1.0) stress = slowStress(cell) + max(0.0, stress - S * slowStress(cell));
+    return stress > limit;
 }
 
 // The two triangles of the face between a cell and its neighbour along an axis belong to the corner tetrahedra whose apex lies on
@@ -35,7 +42,8 @@ void updateBondAlong(int axis, int cell, int other, int parity, ElementLaw law, 
     updateBond(law, first, second, strength, interval, damage, slow);
 }
 
-void updateBonds(int cell, inout vec3 damage, inout vec3 slow) {
+// slow: of the bonds' tractions; w: of the cell's largest principal stress, where it breaks by that and S is more than 1.
+void updateBonds(int cell, inout vec3 damage, inout vec4 slow) {
     uvec4 record = cellRecord(cell);
     uint lawIndex = lawOf(record);
     if (lawIndex == SUNDER_ABSENT) return;
@@ -47,4 +55,6 @@ void updateBonds(int cell, inout vec3 damage, inout vec3 slow) {
     updateBondAlong(0, cell, cell + strides.x, parity, law, leaves, strength.x, damage.x, slow.x);
     updateBondAlong(1, cell, cell + strides.y, parity, law, leaves, strength.y, damage.y, slow.y);
     updateBondAlong(2, cell, cell + strides.z, parity, law, leaves, strength.z, damage.z, slow.z);
+    if (law.fracture.x < SUNDER_UNBREAKABLE && law.elasticity.w > 1.0)
+        slow.w += (max(0.0, principalStress(cell) / law.elasticity.w) - slow.w) * slowShare(interval);
 }

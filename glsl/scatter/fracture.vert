@@ -3,9 +3,10 @@
 #include "scatter/textures.glsl"
 
 uniform sampler2D stresses;
+uniform samplerBuffer bonds;  // BondRecord, as the last update left it
 
 in vec4 damage;  // of the three bonds this cell owns
-in vec4 slow;    // Pa
+in vec4 slow;    // Pa, of their tractions; w: of the cell's stress
 out vec4 newDamage;
 out vec4 newSlow;
 
@@ -19,6 +20,8 @@ float principalStress(int cell) {
     return largest;
 }
 
+float slowStress(int cell) { return texelFetch(bonds, 2 * cell + 1).w; }
+
 mat3 biot(int cell, int tetrahedron) {
     vec3 n = stressTexel(cell, tetrahedron, SUNDER_STRESS_NORMAL).xyz;
     vec3 s = stressTexel(cell, tetrahedron, SUNDER_STRESS_SHEAR).xyz;
@@ -26,8 +29,8 @@ mat3 biot(int cell, int tetrahedron) {
 }
 
 void main() {
-    vec3 d = damage.xyz, s = slow.xyz;
-    updateBonds(gl_VertexID, d, s);
+    vec3 d = damage.xyz;
+    newSlow = slow;
+    updateBonds(gl_VertexID, d, newSlow);
     newDamage = vec4(d, 0.0);
-    newSlow = vec4(s, 0.0);
 }

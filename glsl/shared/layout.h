@@ -107,7 +107,7 @@ struct NodeRecord {
 // One cell in a bond buffer: two texels, or two layers of a texture.
 struct BondRecord {
     vec4 damage; // of the bonds through the +x, +y, +z faces; w: 0
-    vec4 slow;   // slow part of their tractions, Pa; w: 0
+    vec4 slow;   // slow part of their tractions, Pa; w: of the cell's largest principal stress
 };
 
 // One cell's joints, written whenever bonds may have broken: three texels, or three layers of a texture.

@@ -162,7 +162,7 @@ class Bench {
                 measureDrawing(scene, contest.world(), state, name, limits_));
             result.msGather = gather.measure("drawn", state).front().msPerFrame();
         };
-        measure("intact", contest.world().initialState());
+        measure("intact", contest.start());
         measure("broken", contest.stateAfter(30));
         report_.msDisplayMeshBuild = measureDisplayMeshBuild(limits_);
     }
@@ -212,7 +212,7 @@ class Bench {
     /// The cost of a wall that stands against that of its pieces, and where a GPU's time goes.
     void measureBroken(const Scene& scene) {
         Contest contest(scene, entrants_, limits_, context_.get());
-        State whole = contest.world().initialState();
+        State whole = contest.start();
         // Past all events: it stands untouched.
         whole.step = std::int64_t{1} << 30;
         const Results intact = contest.measure("intact", whole);

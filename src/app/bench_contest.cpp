@@ -7,6 +7,7 @@
 #include "app/bench_table.hpp"
 #include "app/machine.hpp"
 #include "app/progress.hpp"
+#include "app/start.hpp"
 #include "balance/balanced_solver.hpp"
 
 namespace sunder::app {
@@ -90,6 +91,11 @@ void Contest::makeSolver(Lane& lane) {
         lane.bytes = static_cast<double>(gl::allocatedBytes() - before + worldBytes_) / tetrahedra;
     else if (const auto after = heapBytesInUse(); after && *after > before)
         lane.bytes = static_cast<double>(*after - before) / tetrahedra;
+}
+
+const State& Contest::start() {
+    if (!start_) start_ = startOf(scene_, world_);
+    return *start_;
 }
 
 int Contest::leadSteps(const State& start) const {
@@ -207,7 +213,7 @@ std::vector<BenchResult> Contest::measure(const std::string& part, const State& 
 
 void Contest::measureDrawn(std::vector<BenchResult>& results) {
     if (!buffers_) return;
-    const State start = world_.initialState();
+    const State& start = this->start();
     const RenderSettings settings{.width = 1280, .height = 720};
     Renderer renderer(world_, *buffers_);
     std::vector<std::unique_ptr<SolverView>> views(lanes_.size());
@@ -258,7 +264,7 @@ int Contest::breakingFrames(Lane& lane, const State& start) const {
 }
 
 void Contest::measureBreaking(std::vector<BenchResult>& results) {
-    const State start = world_.initialState();
+    const State& start = this->start();
     std::vector<std::vector<std::vector<double>>> samples(lanes_.size());  // [lane][frame][repeat]
     for (std::size_t i = 0; i < lanes_.size(); ++i) {
         Lane& lane = lanes_[i];
@@ -289,7 +295,7 @@ void Contest::measureBreaking(std::vector<BenchResult>& results) {
 
 std::vector<PassResult> Contest::measurePasses() {
     std::vector<PassResult> results;
-    const State start = world_.initialState();
+    const State& start = this->start();
     for (Lane& lane : lanes_) {
         auto* solver = dynamic_cast<gpu::GpuSolver*>(lane.solver.get());
         if (!solver || !lane.skipped.empty()) continue;
@@ -313,10 +319,10 @@ State Contest::stateAfter(int frames) {
     for (Lane& lane : lanes_)
         if (lane.skipped.empty() && (!fastest || lane.stepSeconds < fastest->stepSeconds))
             fastest = &lane;
-    if (!fastest) return world_.initialState();
+    if (!fastest) return start();
     const int steps = static_cast<int>(
         std::min(double(frames) * scene_.substeps, limits_.secondsPerCell / fastest->stepSeconds));
-    fastest->solver->setState(world_.initialState());
+    fastest->solver->setState(start());
     timedRun(*fastest, std::max(steps, scene_.substeps));
     return fastest->solver->state();
 }

@@ -34,12 +34,12 @@ class Contest {
     Contest& operator=(const Contest&) = delete;
 
     const World& world() const { return world_; }
+    /// How the world begins (app/start.hpp).
+    const State& start();
 
     /// One result per entrant, in their order. `part` goes into the results.
     std::vector<BenchResult> measure(const std::string& part, const State& start);
-    std::vector<BenchResult> measure(const std::string& part) {
-        return measure(part, world_.initialState());
-    }
+    std::vector<BenchResult> measure(const std::string& part) { return measure(part, start()); }
     /// Adds msPerFrameDrawn to what measure() returned: 1280 x 720, read back like `sunder run`
     /// does.
     void measureDrawn(std::vector<BenchResult>& results);
@@ -73,6 +73,7 @@ class Contest {
 
     Scene scene_;
     World world_;
+    std::optional<State> start_;  ///< once asked for
     BenchLimits limits_;
     bool software_;  ///< the driver computes on the CPU
     std::optional<gpu::WorldBuffers> buffers_;

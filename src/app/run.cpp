@@ -12,6 +12,7 @@
 #include "app/progress.hpp"
 #include "app/run_options.hpp"
 #include "app/run_report.hpp"
+#include "app/start.hpp"
 #include "balance/balanced_solver.hpp"
 #include "balance/solver_factory.hpp"
 #include "core/loss_notes.hpp"
@@ -171,6 +172,7 @@ int run(RunOptions options) {
 
     for (const std::string& warning : limitWarnings(scene, world))
         std::cerr << "sunder: note: " << warning << '\n';
+    solver->setState(startOf(scene, world));
     std::string problem;
     try {
         play(options, scene.name, *solver, incidents, painter ? &*painter : nullptr, sinks, facts);

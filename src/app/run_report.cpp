@@ -97,11 +97,13 @@ std::string reportJson(const Scene& scene, const World& world, const State& stat
     const Diagnostics d = diagnose(world, state);
     ordered_json limits = ordered_json::array();
     for (const ElementLaw& law : world.laws())
-        if (law.limited)
-            limits.push_back(
-                {{"material", world.description().materials[law.material].name},
-                 {"young_modulus", world.description().materials[law.material].youngModulus},
-                 {"limited_to", law.youngModulus}});
+        if (law.limited) {
+            const Material& material = world.description().materials[law.material];
+            limits.push_back({{"material", material.name},
+                              {"young_modulus", material.youngModulus},
+                              {"limited_to", law.youngModulus},
+                              {"sags_times_as_far", material.youngModulus / law.youngModulus}});
+        }
     ordered_json report = {
         {"scene", scene.name},
         {"solver", facts.solver},

@@ -312,6 +312,7 @@ State World::initialState() const {
     state.velocity.assign(nodeCount(), Vec3::Zero());
     state.damage.assign(bondSlots(), kNoBond);
     state.slow.assign(bondSlots(), 0);
+    state.slowStress.assign(cellCount(), 0);
     for (int cell = 0; cell < cellCount(); ++cell) {
         if (!present(cell)) continue;
         for (int axis = 0; axis < 3; ++axis)

@@ -165,6 +165,9 @@ struct State {
     std::vector<double>
         damage;                ///< per bond; holds below 1, never decreases; kNoBond: no neighbour
     std::vector<double> slow;  ///< Pa, per bond: slow part of its traction
+    /// Pa, per cell: slow part of its largest principal stress; 0 unless it breaks by that
+    /// (`fracture = "cell"`) and its stiffness is limited.
+    std::vector<double> slowStress;
     std::vector<ObjectState> objects;
 };
 

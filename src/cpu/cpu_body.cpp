@@ -39,6 +39,7 @@ std::vector<Law> makeLaws(const World& world) {
                             : static_cast<float>((1 + 2 * kDamping) / (1 + 2 * kHotDamping));
         law.hotDeterminant = static_cast<float>(hotDeterminant(from.hotViscosity));
         law.hotRate = static_cast<float>(from.hotViscosity / (kDamping * world.step()));
+        law.nodeMass = static_cast<float>(m.density * from.cellSize.prod() / kCorners);
         result.push_back(law);
     }
     return result;
@@ -77,7 +78,9 @@ void BodyStorage::choose(const World& world) {
         if (first < 0) first = law;
         if (law != first) a.kind = LawKind::Mixed;
         a.bondsBreak |= world.materialOf(cell).fracture == FractureMode::Bond;
-        a.cellsBreak |= world.materialOf(cell).fracture == FractureMode::Cell;
+        const bool cellBreaks = world.materialOf(cell).fracture == FractureMode::Cell;
+        a.cellsBreak |= cellBreaks;
+        a.stressLost |= cellBreaks && world.laws()[law].limited;
     }
     a.law = a.laws[first];
     if (a.kind != LawKind::Mixed && a.law.corotated != 0) a.kind = LawKind::Corotated;
@@ -91,6 +94,8 @@ void BodyStorage::choose(const World& world) {
     a.dampingTime = static_cast<float>(kDamping * h);
     a.step = static_cast<float>(h);
     a.drag = static_cast<float>(std::exp(-body.drag * h));
+    a.slowShare =
+        std::min(1.f, static_cast<float>(world.description().fractureInterval) * a.step / 0.1f);
     a.speedLimit = static_cast<float>(body.speedLimit);
     a.returnShare = static_cast<float>(h / std::max(kPartingTime, h));
     a.returnWay = static_cast<float>(h * world.pushSpeed());
@@ -143,6 +148,7 @@ void BodyStorage::allocate() {
         take(a.over, floats(1) + margin, a.cellsBreak);
         take(a.damage, floats(3));
         take(a.slow, floats(3));
+        take(a.slowStress, floats(1), a.stressLost);
         take(a.strength, floats(3));
         take(a.side, floats(1));
         take(a.inverseMass, 4 * tiles(kCorners));

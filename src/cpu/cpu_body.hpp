@@ -25,6 +25,7 @@ struct Law {
     float hotStress;       ///< what strongly deformed elements scale their stress with
     float hotDeterminant;  ///< det F below which they are that
     float hotRate;         ///< Pa, their viscosity over b·h
+    float nodeMass;        ///< kg, of one corner of a cell
 };
 
 /// Which constants a body's cells need: all the same law, or one law per cell.
@@ -49,6 +50,8 @@ struct BodyArrays {
     float* velocity = nullptr;      ///< m/s, likewise
     float* damage = nullptr;        ///< [axis][cell], bonds
     float* slow = nullptr;          ///< Pa, [axis][cell]
+    float* slowStress = nullptr;  ///< Pa, [cell]; only with cells that break and whose stiffness is
+                                  ///< limited
 
     // --- worked out in every step ---
     float* force = nullptr;   ///< N, [corner·3 + axis][cell], of this copy alone
@@ -78,12 +81,14 @@ struct BodyArrays {
 
     LawKind kind = LawKind::Corotated;
     bool bondsBreak = false, cellsBreak = false;  ///< whether any cell has that fracture mode
+    bool stressLost = false;                      ///< whether cellsBreak goes with S > 1
     const Law* laws = nullptr;                    ///< table of all laws
     Law law{};                                    ///< unless Mixed
     float inverseCell[3] = {};                    ///< 1/m
     float forceWeight[3] = {};                    ///< m², volume/(6·edge)
     float dampingTime = 0;                        ///< b·h, s
     float step = 0, drag = 0, speedLimit = 0;     ///< s, exp(−d·h), m/s
+    float slowShare = 0;                          ///< core/traction.hpp
     float gravity[3] = {};                        ///< m/s²
     bool ground = false, room = false;
     float groundFriction = 0, roomFriction = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace sunder::cpu {
 namespace {
@@ -158,10 +159,36 @@ void BodyRun::updateSleep(bool calm) {
 }
 
 void BodyRun::fallAsleep() {
+    scaleVelocities(0);
     asleep_ = true;
-    calmSteps_ = 0;
+}
+
+void BodyRun::scaleVelocities(float factor) {
+    wake();
     BodyArrays& a = storage_.arrays();
-    std::fill_n(a.velocity, kNodeComponents * kLanes * a.vectors, 0.f);
+    const std::span<float> all(a.velocity,
+                               static_cast<std::size_t>(kNodeComponents * kLanes * a.vectors));
+    if (factor == 0)
+        std::fill(all.begin(), all.end(), 0.f);  // infinite ones, too
+    else
+        for (float& v : all) v *= factor;
+}
+
+double BodyRun::kineticEnergy(int first, int end) const {
+    const BodyArrays& a = storage_.arrays();
+    double sum = 0;
+    for (int tile = first; tile < end; ++tile) {
+        const float* v = a.velocity + tiled(kNodeComponents, 0, tile * kLanes);
+        float squares[kLanes] = {};
+        for (int component = 0; component < kNodeComponents; ++component)
+            for (int lane = 0; lane < kLanes; ++lane)
+                squares[lane] += v[component * kLanes + lane] * v[component * kLanes + lane];
+        for (int lane = 0; lane < kLanes; ++lane) {
+            const Law& law = a.lawIndex ? a.laws[a.lawIndex[tile * kLanes + lane]] : a.law;
+            sum += 0.5f * law.nodeMass * squares[lane];
+        }
+    }
+    return sum;
 }
 
 void BodyRun::addRestBoxes(std::vector<RestBox>& boxes) const {
@@ -197,6 +224,7 @@ void BodyRun::exchange(AnyState& state, const Move& move) const {
                 move(a.displacement[at], state.displacement[node][axis]);
                 move(a.velocity[at], state.velocity[node][axis]);
             }
+        if (a.slowStress) move(a.slowStress[i], state.slowStress[body.firstCell + cell]);
         for (int axis = 0; axis < 3; ++axis) {
             const int bond = kBondsPerCell * (body.firstCell + cell) + axis;
             move(a.damage[axis * a.stride + i], state.damage[bond]);

@@ -54,6 +54,10 @@ class BodyRun {
     }
     /// Adds boxes around its cells as they are now (core/rest_islands.hpp).
     void addRestBoxes(std::vector<RestBox>& boxes) const;
+    /// J, of a stretch of the body's vectors.
+    double kineticEnergy(int first, int end) const;
+    /// Wakes the body, too.
+    void scaleVelocities(float factor);
     /// Whether the body may touch something: what a calm body is depends on it.
     void setTouching(bool touching) { touching_ = touching; }
     /// Changes when link masks did.

@@ -58,7 +58,7 @@ HWY_INLINE void loadBond(const BodyArrays& body, int cell, int axis, float inter
                                    law(&Law::friction) * hn::Max(zero - tn, zero));
     const V tension = hn::Max(tn, zero);
     const V unscaled = hn::Sqrt(tension * tension + law(&Law::shearWeight) * ts * ts) / S;
-    const V newSlow = slow + (unscaled - slow) * set(interval / 0.1f);
+    const V newSlow = slow + (unscaled - slow) * set(body.slowShare);
     const V ratio = (newSlow + S * hn::Max(zero, unscaled - newSlow)) / strength;
     const V rate = set(interval) * law(&Law::damageRate);
     const V grown = hn::Min(set(1.f), damage + rate * hn::Min(ratio - set(1.f), set(4.f)));

@@ -136,25 +136,51 @@ HWY_INLINE void storeBiot(const Mat3v& R, const Mat3v& P, float* to, std::ptrdif
     hn::Store(half * (dot(R.z, P.x) + dot(R.x, P.z)), d, to + 5 * stride);
 }
 
-/// Whether the largest eigenvalue of the scaled Cauchy stress exceeds `limit`: limit·I − σ is then
-/// not positive definite, and its elimination meets a pivot that is not positive.
-HWY_INLINE Mask exceeds(const Mat3v& F, const Mat3v& P, V scale, V limit) {
-    const V factor = set(0.5f) * scale / hn::Max(determinant(F), set(0.05f));
+struct Symmetric {
+    V xx, yy, zz, xy, yz, zx;
+};
+
+HWY_INLINE Symmetric cauchy(const Mat3v& F, const Mat3v& P) {
+    const V factor = set(0.5f) / hn::Max(determinant(F), set(0.05f));
     const auto entry = [&](V Vec3v::*row, V Vec3v::*column) HWY_ATTR {
         return factor *
                ((P.x.*row * F.x.*column + P.y.*row * F.y.*column + P.z.*row * F.z.*column) +
                 (P.x.*column * F.x.*row + P.y.*column * F.y.*row + P.z.*column * F.z.*row));
     };
-    const V xx = limit - entry(&Vec3v::x, &Vec3v::x), yy = limit - entry(&Vec3v::y, &Vec3v::y),
-            zz = limit - entry(&Vec3v::z, &Vec3v::z);
-    const V xy = entry(&Vec3v::x, &Vec3v::y), yz = entry(&Vec3v::y, &Vec3v::z),
-            zx = entry(&Vec3v::z, &Vec3v::x);
+    return {entry(&Vec3v::x, &Vec3v::x), entry(&Vec3v::y, &Vec3v::y), entry(&Vec3v::z, &Vec3v::z),
+            entry(&Vec3v::x, &Vec3v::y), entry(&Vec3v::y, &Vec3v::z), entry(&Vec3v::z, &Vec3v::x)};
+}
+
+/// Whether the largest eigenvalue of a stress exceeds `limit`: limit·I − σ is then not positive
+/// definite, and its elimination meets a pivot that is not positive.
+HWY_INLINE Mask exceeds(const Symmetric& stress, V limit) {
+    const V xx = limit - stress.xx, yy = limit - stress.yy, zz = limit - stress.zz;
+    const V xy = stress.xy, yz = stress.yz, zx = stress.zx;
     const V ly = xy / xx, lz = zx / xx;
     const V second = yy - ly * xy;
     const V cross = yz + ly * zx;
     const V third = zz - lz * zx - cross / second * cross;
     const V zero = hn::Zero(d);
     return hn::Or(hn::Lt(xx, zero), hn::Or(hn::Lt(second, zero), hn::Lt(third, zero)));
+}
+
+/// With A = mean·I + p·B, where p makes tr(B²) = 6, the eigenvalues of B are the roots of
+/// y³ − 3y = det(B); the largest is 1 + t with t²·(3 + t) = det(B) + 2, t from 0 to 1.
+HWY_INLINE V largestEigenvalue(const Symmetric& a) {
+    const V third = set(1.f / 3), three = set(3.f), tiny = set(1e-30f);
+    const V mean = third * (a.xx + a.yy + a.zz);
+    const V xx = a.xx - mean, yy = a.yy - mean, zz = a.zz - mean;
+    const V squares =
+        xx * xx + yy * yy + zz * zz + set(2.f) * (a.xy * a.xy + a.yz * a.yz + a.zx * a.zx);
+    const V p = hn::Sqrt(squares * set(1.f / 6));
+    const V det = xx * (yy * zz - a.yz * a.yz) - a.xy * (a.xy * zz - a.yz * a.zx) +
+                  a.zx * (a.xy * a.yz - yy * a.zx);
+    const V q = hn::Max(hn::Zero(d), det / hn::Max(p * p * p, tiny) + set(2.f));
+    const V start = hn::Sqrt(third * q);
+    V t = start / (set(1.f) + set(0.134f) * start);  // exact at 0 and at 1
+    for (int i = 0; i < 2; ++i)
+        t = t - (t * t * (three + t) - q) / hn::Max(three * t * (set(2.f) + t), tiny);
+    return mean + p * (set(1.f) + t);
 }
 
 /// A stretch of cells in progress: what all its tetrahedra share.
@@ -172,8 +198,9 @@ struct Cells {
 
 /// What fracture wants of a cell's tetrahedra besides their forces.
 struct StressOutput {
-    V scale, limit;  ///< S, and what S times the Cauchy stress may be
-    Mask over;       ///< some tetrahedron exceeds the limit
+    V limit;    ///< what its largest principal stress may be
+    V largest;  ///< that; only with BodyArrays::slowStress
+    Mask over;  ///< some tetrahedron exceeds the limit
 };
 
 /// P of tetrahedron number kT (4: the central one) in the cell's frame, its columns weighted.
@@ -197,9 +224,11 @@ HWY_INLINE Mat3v tetrahedron(const Cells& cells, const Mat3v& F, const Mat3v& G,
             scaleColumns(P, {one / cells.weight.x, one / cells.weight.y, one / cells.weight.z});
         if (kT < 4 && body.bondsBreak)
             storeBiot(R, plain, body.stress + 6 * kT * body.stride + cells.first, body.stride);
-        if (body.cellsBreak)
-            out->over = hn::Or(
-                out->over, exceeds(transposeTimes(cells.frame, F), plain, out->scale, out->limit));
+        if (body.cellsBreak) {
+            const Symmetric stress = cauchy(transposeTimes(cells.frame, F), plain);
+            out->over = hn::Or(out->over, exceeds(stress, out->limit));
+            if (body.slowStress) out->largest = hn::Max(out->largest, largestEigenvalue(stress));
+        }
     }
     return P;
 }
@@ -269,6 +298,29 @@ HWY_INLINE void storeEnds(const Cells& cells, const Vec3v& apex, const Vec3v& ba
     store3(select(cells.mirrored, usually, mirrored), force + 3 * stride, stride);
 }
 
+/// Lanes whose cells break by their stress and lose some of it to the limit of E.
+HWY_INLINE Mask hasSlowStress(const LawLookup& law) {
+    return hn::And(hn::Lt(law(&Law::maxStress), set(kUnbreakable)),
+                   hn::Gt(law(&Law::stressScale), set(1.f)));
+}
+
+/// The stress at which the slow part plus S times what exceeds it is the material's limit.
+HWY_INLINE V stressLimit(const BodyArrays& body, int first) {
+    const LawLookup law{&body, first};
+    const V most = law(&Law::maxStress);
+    if (!body.slowStress) return most;
+    const V slow = hn::Load(d, body.slowStress + first);
+    const V limit = hn::IfThenElse(hn::Gt(slow, most), set(-kUnbreakable),
+                                   slow + (most - slow) / law(&Law::stressScale));
+    return hn::IfThenElse(hasSlowStress(law), limit, most);
+}
+
+HWY_INLINE void keepSlowStress(const BodyArrays& body, int first, V largest) {
+    const V slow = hn::Load(d, body.slowStress + first);
+    const V now = slow + (largest - slow) * set(body.slowShare);
+    hn::Store(hn::IfThenElse(hasSlowStress({&body, first}), now, slow), d, body.slowStress + first);
+}
+
 template <LawKind kKind, bool kStress>
 HWY_INLINE void updateCells(const BodyArrays& body, int first) {
     const V side = hn::Load(d, body.side + first);
@@ -289,7 +341,7 @@ HWY_INLINE void updateCells(const BodyArrays& body, int first) {
     StressOutput* out = nullptr;
     [[maybe_unused]] StressOutput stress;
     if constexpr (kStress) {
-        stress = {lookup(&Law::stressScale), lookup(&Law::maxStress), hn::Lt(side, side)};
+        stress = {stressLimit(body, first), hn::Zero(d), hn::Lt(side, side)};
         out = &stress;
     }
     centralTetrahedron<kKind, kStress>(cells, out);
@@ -304,6 +356,7 @@ HWY_INLINE void updateCells(const BodyArrays& body, int first) {
     if constexpr (kStress) {
         if (body.cellsBreak)
             hn::Store(hn::IfThenElseZero(out->over, set(1.f)), d, body.over + first);
+        if (body.slowStress) keepSlowStress(body, first, out->largest);
     }
 }
 

@@ -401,6 +401,38 @@ void CpuSolver::storeObjects(State& state) const {
     if (runner_->objects) state.objects = runner_->objects->states();
 }
 
+double CpuSolver::kineticEnergy() const {
+    struct Part {
+        int body, first, end;
+        double energy = 0;
+    };
+    constexpr int kVectors = 256;  // whatever the number of threads: sums are rounded
+    std::vector<Part> parts;
+    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
+        const int vectors = bodies_[body]->held ? bodies_[body]->arrays().vectors : 0;
+        for (int first = 0; first < vectors; first += kVectors)
+            parts.push_back({body, first, std::min(first + kVectors, vectors)});
+    }
+    runner_->inArena([&] {
+        runner_->forEach(static_cast<int>(parts.size()), [&](int i) {
+            parts[i].energy = bodies_[parts[i].body]->kineticEnergy(parts[i].first, parts[i].end);
+        });
+    });
+    double sum = 0;
+    for (const Part& part : parts) sum += part.energy;
+    if (!runner_->objects) return sum;
+    const std::vector<ObjectState>& objects = runner_->objects->states();
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        if (objects[i].present) sum += objects[i].kineticEnergy(world_.objects()[i]);
+    return sum;
+}
+
+void CpuSolver::scaleVelocities(double factor) {
+    if (runner_->rest) runner_->rest->wakeAll();
+    for (const auto& run : bodies_) run->scaleVelocities(static_cast<float>(factor));
+    if (runner_->objects) runner_->objects->scaleVelocities(factor);
+}
+
 int CpuSolver::threads() const {
     return runner_->threads;
 }

@@ -33,6 +33,11 @@ class CpuSolver : public Solver, public BodyHost {
     void store(int body, State& state) const;
     void storeObjects(State& state) const;
 
+    /// J, of bodies that it holds and of objects.
+    double kineticEnergy() const;
+    /// Of bodies and objects. Wakes every body.
+    void scaleVelocities(double factor);
+
     int threads() const;
     /// Bytes held per tetrahedron, all bodies together.
     double bytesPerTetrahedron() const;

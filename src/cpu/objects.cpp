@@ -51,6 +51,14 @@ void Objects::set(const std::vector<ObjectState>& states) {
     std::fill(rests_.begin(), rests_.end(), Rest{});
 }
 
+void Objects::scaleVelocities(double factor) {
+    for (int object = 0; object < static_cast<int>(states_.size()); ++object) {
+        wake(object);
+        states_[object].velocity *= factor;
+        states_[object].angularMomentum *= factor;
+    }
+}
+
 void Objects::startStep(std::int64_t step) {
     for (const Throw& thrown : world_.throws())
         if (thrown.step == step) set(thrown.object, thrown.state);

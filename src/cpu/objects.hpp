@@ -38,6 +38,8 @@ class Objects {
     /// All of them are awake.
     void set(const std::vector<ObjectState>& states);
     void set(int object, const ObjectState& state);
+    /// Their spins, too; wakes all of them.
+    void scaleVelocities(double factor);
     /// Gets to know what is pushed; null: nobody does.
     void setWatch(IncidentWatch* watch) { watch_ = watch; }
 

@@ -154,7 +154,7 @@ void ReferenceSolver::updateElements(bool fracture) {
             std::max(principal_[e.cell], largestPrincipalStress(law, F, stress.piola));
         if (e.apex >= 0) {
             const Mat3 biot = stress.rotation.transpose() * stress.piola;
-            cellStress_[e.cell][e.apex] = 0.5 * (biot + biot.transpose());
+            cellStress_[e.cell][e.apex / 2] = 0.5 * (biot + biot.transpose());
         }
     }
 }
@@ -227,12 +227,23 @@ void ReferenceSolver::updateFracture() {
         if (before[bond] < 1 && state_.damage[bond] >= 1) watch_->broke(bond);
 }
 
+/// Whether a cell's largest principal stress, its dynamic part scaled by S, is more than it bears;
+/// also advances the slow part.
+bool ReferenceSolver::overstressed(int cell) {
+    const ElementLaw& law = world_.laws()[world_.lawOf(cell)];
+    if (!std::isfinite(law.maxStress)) return false;
+    if (law.stressScale == 1) return principal_[cell] > law.maxStress;
+    double& slow = state_.slowStress[cell];
+    const double unscaled = principal_[cell] / law.stressScale;
+    const bool over = slow + law.stressScale * std::max(0.0, unscaled - slow) > law.maxStress;
+    slow += (std::max(0.0, unscaled) - slow) * slowShare(world_);
+    return over;
+}
+
 /// `fracture = "cell"` (thesis, chapter 7): an overstressed cell leaves all its neighbours.
 void ReferenceSolver::breakCells() {
     for (int cell = 0; cell < world_.cellCount(); ++cell) {
-        if (!world_.present(cell) ||
-            !(principal_[cell] > world_.laws()[world_.lawOf(cell)].maxStress))
-            continue;
+        if (!world_.present(cell) || !overstressed(cell)) continue;
         for (int axis = 0; axis < 3; ++axis)
             for (const int owner : {cell, world_.neighbour(cell, axis, -1)})
                 if (owner >= 0) {
@@ -244,31 +255,13 @@ void ReferenceSolver::breakCells() {
 
 /// Equivalent traction on the face between a cell and its neighbour along `axis`, dynamic part
 /// scaled by S; also advances the bond's slow part.
-double ReferenceSolver::equivalentTraction(int cell, int axis, const ElementLaw& law,
-                                           double interval) {
-    const Material& material = world_.materialOf(cell);
+double ReferenceSolver::scaledTraction(int cell, int axis, const ElementLaw& law) {
     const int other = world_.neighbour(cell, axis, +1);
-    double normal[2], shear[2];
-    int triangle = 0;
-    for (int t = 0; t < 4; ++t) {
-        // The face's two triangles belong to the corner tetrahedra whose apex lies on it, on either
-        // side.
-        const int apex = kTetrahedra[world_.parity(cell)][t][0];
-        if (!(apex >> axis & 1)) continue;
-        const Mat3 T = 0.5 * (cellStress_[cell][apex] + cellStress_[other][apex ^ 1 << axis]);
-        normal[triangle] = T(axis, axis);
-        shear[triangle] = std::hypot(T(axis, (axis + 1) % 3), T(axis, (axis + 2) % 3));
-        ++triangle;
-    }
-    const double S = law.stressScale;
-    const double tn = S * (0.5 * (normal[0] + normal[1]) + std::abs(normal[0] - normal[1]));
-    const double ts = std::max(
-        0.0, S * 0.5 * (shear[0] + shear[1]) - material.internalFriction * std::max(-tn, 0.0));
-    const double tension = std::max(tn, 0.0);
-    const double unscaled = std::sqrt(tension * tension + material.shearWeight * ts * ts) / S;
+    const double unscaled =
+        equivalentTraction(world_, cell, axis, cellStress_[cell], cellStress_[other]);
     double& slow = state_.slow[kBondsPerCell * cell + axis];
-    slow += (unscaled - slow) * interval / 0.1;
-    return slow + S * std::max(0.0, unscaled - slow);
+    slow += (unscaled - slow) * slowShare(world_);
+    return slow + law.stressScale * std::max(0.0, unscaled - slow);
 }
 
 void ReferenceSolver::damageBonds() {
@@ -281,7 +274,7 @@ void ReferenceSolver::damageBonds() {
             double& damage = state_.damage[bond];
             const double strength = world_.bondStrength(bond);
             if (damage >= 1 || !std::isfinite(strength)) continue;
-            const double ratio = equivalentTraction(cell, axis, law, interval) / strength;
+            const double ratio = scaledTraction(cell, axis, law) / strength;
             if (ratio > 1)
                 damage =
                     std::min(1.0, damage + interval / law.damageTime * std::min(ratio - 1, 4.0));

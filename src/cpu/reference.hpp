@@ -7,6 +7,7 @@
 #include "core/incident_watch.hpp"
 #include "core/room.hpp"
 #include "core/solver.hpp"
+#include "core/traction.hpp"
 #include "cpu/objects.hpp"
 #include "cpu/reference_contact.hpp"
 
@@ -32,9 +33,6 @@ class ReferenceSolver : public Solver {
         int cell;
         int apex;  ///< corner of the cell, or −1 for the central tetrahedron
     };
-    /// Stress of a corner tetrahedron in the material frame, T = sym(RᵀP), by cell and apex.
-    using CellStress = std::array<Mat3, kCorners>;
-
     class ObjectCells;
 
     void updateElements(bool fracture);
@@ -45,7 +43,8 @@ class ReferenceSolver : public Solver {
     void damageBonds();
     void updateLinks();
     void lookForIncidents();
-    double equivalentTraction(int cell, int axis, const ElementLaw&, double interval);
+    bool overstressed(int cell);
+    double scaledTraction(int cell, int axis, const ElementLaw&);
 
     const World& world_;
     std::vector<Barrier> barriers_;
@@ -53,10 +52,10 @@ class ReferenceSolver : public Solver {
     std::vector<std::vector<int>> eventNodes_;  ///< nodes in each event's patch
     std::vector<Vec3> eventAcceleration_;       ///< m/s², per node, of the step in progress
     State state_;
-    std::vector<Vec3> force_;             ///< N, per node, of this copy alone
-    std::vector<std::uint8_t> links_;     ///< per node, linkMask()
-    std::vector<CellStress> cellStress_;  ///< valid after updateElements(true)
-    std::vector<double> principal_;       ///< Pa, per cell, likewise
+    std::vector<Vec3> force_;                 ///< N, per node, of this copy alone
+    std::vector<std::uint8_t> links_;         ///< per node, linkMask()
+    std::vector<CornerStresses> cellStress_;  ///< valid after updateElements(true)
+    std::vector<double> principal_;           ///< Pa, per cell, likewise
     std::optional<ReferenceContact> contact_;
     std::optional<Objects> objects_;
     std::unique_ptr<IncidentWatch> watch_;

@@ -29,6 +29,7 @@ BondPass::BondPass(const World& world, int textureColumns)
 
 void BondPass::update(const Feedback& feedback) {
     const int next = 1 - current_;
+    gl::bindTexture(kBonds, GL_TEXTURE_BUFFER, bonds_[current_].bonds.texture());
     feedback.run(fractureProgram_, bonds_[current_].attributes, {&bonds_[next].bonds.buffer()},
                  cellCount_);
     current_ = next;

@@ -170,12 +170,14 @@ void GatherSolver::write(TexelRange cells, const State& state) {
         nodes_[currentNodes_].write(2 * corner, cells.first, u);
         nodes_[currentNodes_].write(2 * corner + 1, cells.first, v);
     }
-    for (std::size_t i = 0; i < damage.size(); ++i)
+    for (std::size_t i = 0; i < damage.size(); ++i) {
+        slow[i].w = static_cast<float>(state.slowStress[cells.first + static_cast<int>(i)]);
         for (int axis = 0; axis < kBondsPerCell; ++axis) {
             const int bond = kBondsPerCell * (cells.first + static_cast<int>(i)) + axis;
             damage[i][axis] = static_cast<float>(state.damage[bond]);
             slow[i][axis] = static_cast<float>(state.slow[bond]);
         }
+    }
     bonds_[currentBonds_].write(0, cells.first, damage);
     bonds_[currentBonds_].write(1, cells.first, slow);
     if (incidents_)
@@ -195,12 +197,14 @@ void GatherSolver::read(TexelRange cells, State& state) const {
     }
     const std::vector<vec4> damage = bonds_[currentBonds_].read(0, cells),
                             slow = bonds_[currentBonds_].read(1, cells);
-    for (std::size_t i = 0; i < damage.size(); ++i)
+    for (std::size_t i = 0; i < damage.size(); ++i) {
+        state.slowStress[cells.first + static_cast<int>(i)] = slow[i].w;
         for (int axis = 0; axis < kBondsPerCell; ++axis) {
             const int bond = kBondsPerCell * (cells.first + static_cast<int>(i)) + axis;
             state.damage[bond] = damage[i][axis];
             state.slow[bond] = slow[i][axis];
         }
+    }
 }
 
 void GatherSolver::Copy::update(const TexelTarget& from, std::initializer_list<int> layers,

@@ -178,7 +178,7 @@ void BondBuffer::write(const State& state) {
     std::vector<BondRecord> bonds(state.damage.size() / kBondsPerCell);
     for (std::size_t i = 0; i < bonds.size(); ++i) {
         const double *d = &state.damage[kBondsPerCell * i], *s = &state.slow[kBondsPerCell * i];
-        bonds[i] = {toVec4({d[0], d[1], d[2]}, 0), toVec4({s[0], s[1], s[2]}, 0)};
+        bonds[i] = {toVec4({d[0], d[1], d[2]}, 0), toVec4({s[0], s[1], s[2]}, state.slowStress[i])};
     }
     buffer_.write(0, sizeof(BondRecord) * bonds.size(), bonds.data());
 }
@@ -188,11 +188,14 @@ void BondBuffer::read(State& state) const {
     buffer_.read(0, buffer_.size(), bonds.data());
     state.damage.resize(kBondsPerCell * bonds.size());
     state.slow.resize(kBondsPerCell * bonds.size());
-    for (std::size_t i = 0; i < bonds.size(); ++i)
+    state.slowStress.resize(bonds.size());
+    for (std::size_t i = 0; i < bonds.size(); ++i) {
+        state.slowStress[i] = bonds[i].slow.w;
         for (int axis = 0; axis < kBondsPerCell; ++axis) {
             state.damage[kBondsPerCell * i + axis] = bonds[i].damage[axis];
             state.slow[kBondsPerCell * i + axis] = bonds[i].slow[axis];
         }
+    }
 }
 
 ObjectPlaces::ObjectPlaces(const World& world) {

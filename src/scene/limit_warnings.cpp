@@ -1,5 +1,6 @@
 #include "scene/limit_warnings.hpp"
 
+#include <cmath>
 #include <cstdio>
 
 namespace sunder {
@@ -8,6 +9,15 @@ namespace {
 std::string threeDigits(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+/// Two digits are enough from ten on.
+std::string times(double factor) {
+    if (factor < 9.95) return threeDigits(factor);
+    const double unit = std::pow(10, std::floor(std::log10(factor)) - 1);
+    char text[32];
+    std::snprintf(text, sizeof text, "%.0f", unit * std::round(factor / unit));
     return text;
 }
 
@@ -20,7 +30,8 @@ std::vector<std::string> limitWarnings(const Scene& scene, const World& world) {
         const Material& material = world.description().materials[law.material];
         warnings.push_back(material.name + ": E " + threeDigits(material.youngModulus) +
                            " limited to " + threeDigits(law.youngModulus) + " Pa at " +
-                           std::to_string(scene.substeps) + " substeps per 1/60 s");
+                           std::to_string(scene.substeps) + " substeps per 1/60 s: it sags " +
+                           times(material.youngModulus / law.youngModulus) + " times as far");
     }
     return warnings;
 }

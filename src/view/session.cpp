@@ -1,6 +1,7 @@
 #include "view/session.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 #include <new>
 #include <utility>
@@ -69,6 +70,8 @@ bool Session::attempt(Action&& action) {
 std::unique_ptr<Stage> Session::newStage(Scene scene, const State* state, const Stage* like) {
     auto next =
         std::make_unique<Stage>(std::move(scene), settings.solver, settings.sceneHits, state, like);
+    // Where nothing has happened yet, what is changed was so from the start.
+    if (state && stage->simulation.atStart()) next->simulation.restart();
     next->rehearse(settings.mesh, settings.style);
     return next;
 }
@@ -100,6 +103,10 @@ bool Session::rebuild(Scene scene, const State* state) {
 void Session::sayCompromises() {
     if (stage->renderer.displayMesh().simplified())
         say("Torn edges have fewer points than the materials ask for: there would be too many");
+    if (std::string warning = stage->simulation.startWarning(); !warning.empty()) {
+        warning[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(warning[0])));
+        say(warning, true);
+    }
 }
 
 void Session::openScene(const std::string& nameOrPath) {

@@ -38,7 +38,8 @@ Simulation::Simulation(Scene scene, const std::string& solver, bool hits, const 
     : scene_(std::move(scene)), world_(played(scene_.world, hits)), buffers_(world_) {
     const SolverInfo& info = findSolver(solver);
     auto made = makeSolver(info, world_, &buffers_);
-    if (state) made->setState(*state);
+    made->setState(state ? *state : start().state);
+    atStart_ = !state;
     stepsDone_ = state ? state->step : 0;
     adopt(std::move(made), info);
 }
@@ -60,12 +61,19 @@ void Simulation::setSolver(const std::string& name) {
 }
 
 void Simulation::restart() {
-    solver_->setState(world_.initialState());
+    solver_->setState(start().state);
     stepsDone_ = 0;
+    atStart_ = true;
     state_.reset();
 }
 
+const Start& Simulation::start() {
+    if (!start_) start_ = settledStart(world_);
+    return *start_;
+}
+
 void Simulation::advance(const std::vector<Push>& pushes, int steps) {
+    atStart_ &= pushes.empty() && steps < 1;
     if (!pushes.empty()) {
         State pushed = state();
         std::set<int> bodies;

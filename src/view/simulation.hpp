@@ -7,6 +7,7 @@
 
 #include "balance/solver_factory.hpp"
 #include "core/incident.hpp"
+#include "cpu/settle.hpp"
 #include "scene/scene.hpp"
 
 namespace sunder::view {
@@ -41,6 +42,10 @@ class Simulation {
     /// Goes on with another one from the same state. Throws InputError, and then nothing changed.
     void setSolver(const std::string& name);
     void restart();
+    /// Whether nothing has happened since the start.
+    bool atStart() const { return atStart_; }
+    /// What is to be said of how the world begins; empty where there is nothing.
+    std::string startWarning() { return restlessWarning(start()); }
     /// Pushes, then advances, then waits until it is done. Bodies that nothing pushes sleep on.
     /// Each push costs a GPU solver the way of its state to the CPU and back: they are for a hand
     /// on a mouse, not for a game's hundred explosions.
@@ -56,6 +61,7 @@ class Simulation {
 
   private:
     void adopt(std::unique_ptr<Solver>, const SolverInfo&);
+    const Start& start();
 
     Scene scene_;
     World world_;
@@ -66,6 +72,8 @@ class Simulation {
     std::unique_ptr<SolverView> view_;
     std::int64_t stepsDone_ = 0;
     std::optional<State> state_;
+    std::optional<Start> start_;  ///< once asked for
+    bool atStart_ = true;
 };
 
 }  // namespace sunder::view

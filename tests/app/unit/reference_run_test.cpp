@@ -173,6 +173,10 @@ TEST_CASE("App: a stiffness that the step does not carry is told on stderr and i
     const double limit = limits[0].at("limited_to");
     CHECK(limit > 0);
     CHECK(limit < 1e10);
+    // What follows: sag goes with 1/E.
+    CHECK(limits[0].at("sags_times_as_far").get<double>() == Approx(1e10 / limit));
+    CHECK(contains(result.err, " substeps per 1/60 s: it sags "));
+    CHECK(contains(result.err, " times as far"));
 
     // Twice as many steps carry four times as much.
     place.write("wall.toml", scenes::kBreaking + "[solver]\nsubsteps = 100\n");
