@@ -25,7 +25,8 @@ layout(location = 0) out vec4 force;  // N
 ContactSide sideOf(int cell, float radius) {
     uvec4 record = cellRecord(cell);
     return ContactSide(8.0 * cornerMass(record), uintBitsToFloat(record.w), texelFetch(strengths, cell).w, radius,
-                       texelFetch(summaries, ivec3(texelAddress(cell), 0), 0).y);
+                       texelFetch(summaries, ivec3(texelAddress(cell), 0), 0).y,
+                       float(record.x >> SUNDER_CELL_RESTITUTION_BIT) / 255.0);
 }
 
 void main() {
@@ -47,18 +48,18 @@ void main() {
         ivec2 address = sphereAddress(other);
         vec4 theirs = texelFetch(spheres, ivec3(address, 0), 0);
         vec3 apart = centre.xyz - theirs.xyz;
-        float radii = centre.w + theirs.w;
-        if (dot(apart, apart) < radii * radii) {
+        vec3 closing = velocity - texelFetch(spheres, ivec3(address, 1), 0).xyz;
+        float time = touchTime(apart, closing, centre.w + theirs.w, stepSize);
+        if (time <= stepSize) {
             // Both spheres of a pair work out the same numbers: the lower one's less the higher one's.
             float sign_ = self < other ? 1.0 : -1.0;
-            vec3 closing = velocity - texelFetch(spheres, ivec3(address, 1), 0).xyz;
             vec3 way = vec3(0.0);
             float pushSpeed = -1.0;
 #if PARTINGS
             if (self < other) partingOf(self, other, centre.xyz, theirs.xyz, way, pushSpeed);
             else partingOf(other, self, theirs.xyz, centre.xyz, way, pushSpeed);
 #endif
-            vec3 force_ = contactForce(own, sideOf(cellOf(other), theirs.w), sign_ * apart, sign_ * closing, some.x < 0.0,
+            vec3 force_ = contactForce(own, sideOf(cellOf(other), theirs.w), sign_ * apart, sign_ * closing, time, some.x < 0.0,
                                        way, pushSpeed, stepSize);
             sum += sign_ * force_;
 #if IMPULSES

@@ -3,6 +3,7 @@
 #include "contact/storage.glsl"
 #include "contact/grid.glsl"
 #include "contact/joined.glsl"
+#include "contact/left_out.glsl"
 #include "physics/contact.glsl"
 
 uniform sampler2DArray exposed;  // contact/exposed.frag
@@ -10,7 +11,7 @@ uniform sampler2DArray grid;     // contact/grid.glsl
 uniform float reach;             // m, how far apart centres may be; 1.5 voxels
 uniform float searchInterval;    // s, until the next one
 
-// x: partners; y: of those close by, for N; z: how many there was no room for; w: what it touches: 0 nothing, 1 something, 2 + body:
+// x: partners; y: of those close by, for N; z: what was left out (contact/left_out.glsl); w: what it touches: 0 nothing, 1 something, 2 + body:
 // that body, which it hits so fast that it would wake it.
 layout(location = 0) out vec4 summary;
 // Spheres' numbers, which count from 1; negative: of a cell next to this one on the lattice.
@@ -27,7 +28,7 @@ vec3 velocity;
 ivec3 strides;
 uint around, joined;
 vec4 list[7];
-float listed = 0.0, close = 0.0, dropped = 0.0, touched = 0.0;
+float listed = 0.0, close = 0.0, dropped = 0.0, touched = 0.0, fastest = 0.0;
 
 // The bit (contact/joined.glsl) of the lattice neighbour that is so many cells further on in the numbering; 0: there is none.
 uint neighbourBit(int steps) {
@@ -49,16 +50,21 @@ void add(float partner) {
 void consider(int other, ivec3 voxel) {
     ivec2 address = sphereAddress(other);
     vec4 theirs = texelFetch(spheres, ivec3(address, 0), 0);
-    float apart = distance(centre.xyz, theirs.xyz);
+    vec3 between = centre.xyz - theirs.xyz;
+    float apart = length(between);
     // Another voxel may share its texel.
     if (apart < reach && voxelOf(theirs.xyz) == voxel) {
         float radii = centre.w + theirs.w, gap = apart - radii;
-        float speed = distance(velocity, texelFetch(spheres, ivec3(address, 1), 0).xyz);
+        vec3 closing = velocity - texelFetch(spheres, ivec3(address, 1), 0).xyz;
+        float way = 1.1 * searchInterval * length(closing);
         uint neighbour = neighbourBit(cellOf(other) - cellOf(self));
-        if (gap < max(0.5 * radii, 1.1 * searchInterval * speed) && (neighbour & joined) == 0u) {
-            if (gap < kCrowdGap * min(centre.w, theirs.w)) close += 1.0;
+        if (gap < max(0.5 * radii, way) && (neighbour & joined) == 0u) {
+            float nearest = closestApproach(between, closing, searchInterval) - radii;
+            if (nearest < kCrowdGap * min(centre.w, theirs.w)) close += 1.0;
+            // Others as fast may have passed by beyond its reach.
+            fastest = max(fastest, way / (reach - radii));
             touched = max(touched, 1.0);
-            if (gap < 0.0 && neighbour == 0u && length(velocity) > kCreepSpeed * 2.0 * centre.w) {
+            if (nearest < 0.0 && neighbour == 0u && length(velocity) > kCreepSpeed * 2.0 * centre.w) {
                 uint otherBody = cellRecord(cellOf(other)).y;
                 if (otherBody != record.y) touched = max(touched, float(otherBody) + 2.0);
             }
@@ -137,6 +143,7 @@ void main() {
         vec3 beside = max(max(vec3(step_) - from, from - vec3(step_) - 1.0), 0.0);  // voxels, to the nearest point
         if (dot(beside, beside) < kReach * kReach) visit(low + step_);
     }
-    summary = vec4(listed, close, dropped, touched);
+    float haste = clamp(ceil(4.0 * log2(max(fastest, 1.0))), 0.0, 255.0);
+    summary = vec4(listed, close, leftOut(dropped, haste), touched);
     for (int i = 0; i < 7; ++i) partners[i] = list[i];
 }

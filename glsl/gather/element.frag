@@ -54,16 +54,12 @@ ElementStress cornerTetrahedron(ElementLaw law, int a, int x, int y, int z, vec3
     return stress;
 }
 
-// Columns of the gradient of a field on the central tetrahedron 0, 3, 5, 6; half: half reciprocal edge lengths.
-mat3 centralGradient(vec3 a0, vec3 a3, vec3 a5, vec3 a6, vec3 half_) {
-    vec3 first = a3 - a6, second = a5 - a0;
-    return mat3((first + second) * half_.x, (a3 + a6 - a5 - a0) * half_.y, (second - first) * half_.z);
-}
-
-void centralTetrahedron(ElementLaw law, vec3 reciprocal) {
+// Returns what turns the cell's forces back.
+mat3 centralTetrahedron(ElementLaw law, vec3 reciprocal) {
     vec3 half_ = 0.5 * reciprocal;
     mat3 F = mat3(1.0) + centralGradient(u[0], u[3], u[5], u[6], half_);
-    ElementStress stress = elementStress(law, F, centralGradient(v[0], v[3], v[5], v[6], half_), stepSize);
+    mat3 rate = centralGradient(v[0], v[3], v[5], v[6], half_);
+    ElementStress stress = elementStress(law, F, rate, stepSize);
     float volume = law.cellSize.w / 3.0;
     vec3 fx = stress.piola[0] * (-volume * half_.x);
     vec3 fy = stress.piola[1] * (-volume * half_.y);
@@ -75,6 +71,7 @@ void centralTetrahedron(ElementLaw law, vec3 reciprocal) {
 #if STRESSES && CELLS_BREAK
     addPrincipal(law, F, stress.piola);
 #endif
+    return turnedBack(law, F, rate, stepSize);
 }
 
 void main() {
@@ -118,10 +115,10 @@ void main() {
     newStress[5] = vec4(T2[1][2], T2[2][0], T3[1][2], T3[2][0]);
 #endif
 #else
-    centralTetrahedron(law, r);
+    mat3 back = centralTetrahedron(law, r);
     for (int k = 0; k < 8; k += 2) {
-        newForces[k] = vec4(parity == 0 ? f[k] : f[k + 1], 0.0);
-        newForces[k + 1] = vec4(parity == 0 ? f[k + 1] : f[k], 0.0);
+        newForces[k] = vec4(back * (parity == 0 ? f[k] : f[k + 1]), 0.0);
+        newForces[k + 1] = vec4(back * (parity == 0 ? f[k + 1] : f[k]), 0.0);
     }
 #endif
 }

@@ -51,7 +51,7 @@ void updateNode(int corner, int cell, ivec2 texel, BodyRecord body, vec4 masks, 
     acceleration += eventAcceleration(body.events.xy, restPosition, stepInFrame);
 #endif
     vec3 u = displacement.xyz, v = velocity.xyz;
-    integrateNode(u, v, acceleration, body.gravity.w, body.cellSize.w, restPosition);
+    integrateNode(u, v, acceleration, body.gravity.w, restPosition);
     bool moves = inverseMass > 0.0;  // not anchored, and there is a cell
     displacement.xyz = moves ? u : displacement.xyz;
     velocity = moves ? vec4(v, newWatch ? dot(v, v) : max(dot(v, v), velocity.w)) : vec4(0.0);

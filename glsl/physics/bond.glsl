@@ -1,6 +1,8 @@
 // `fracture = "bond"`: a face between two cells breaks by traction and damage.
 #include "shared/layout.h"
 
+const float kSuddenStress = 5.0;  // src/core/world.hpp
+
 // Traction on one of the face's two triangles: T is the mean Biot stress (material frame) of the two corner tetrahedra that
 // meet there. x: normal, y: shear, Pa.
 vec2 faceTraction(mat3 T, int axis) {
@@ -23,6 +25,9 @@ void updateBond(ElementLaw law, vec2 first, vec2 second, float strength, float i
     float tension = max(tn, 0.0);
     float unscaled = sqrt(tension * tension + beta * ts * ts) / S;
     slow += (unscaled - slow) * slowShare(interval);
-    float ratio = (slow + S * max(0.0, unscaled - slow)) / strength;
+    float blow = max(0.0, unscaled - slow);
+    float ratio = (slow + S * blow) / strength;
     if (ratio > 1.0) damage = min(1.0, damage + interval * law.fracture.y * min(ratio - 1.0, 4.0));
+    // A blow so fast that cracks, which keep pace with the waves of the softer material, would come too late.
+    if (blow > law.extremes.z && S * S * blow > kSuddenStress * strength) damage = 1.0;
 }

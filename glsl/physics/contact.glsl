@@ -3,7 +3,8 @@
 
 const float kFrictionRate = 0.3;
 const float kInelasticDamping = 0.6;
-const float kCrowdGap = 0.1; // radii
+const float kCrowdGap = 0.1;  // radii
+const float kSweptWay = 0.1;  // sums of radii
 
 // What the law asks of a cell.
 struct ContactSide {
@@ -12,14 +13,33 @@ struct ContactSide {
     float friction;  // μ
     float radius;    // m
     float crowd;     // pairs close by
+    float restitution;  // e
 };
 
-// Force on sphere A from sphere B, N. x: A's centre less B's, m; v likewise, m/s. way: n, or 0 where it is what it always is;
+// s: when two spheres touch, 0 where they do now; more than h where they do not within a step, or are slow enough to be found
+// overlapping. x: one's centre less the other's, m; v likewise, m/s; radii: their sum, m.
+float touchTime(vec3 x, vec3 v, float radii, float h) {
+    float apart = dot(x, x) - radii * radii;
+    if (apart < 0.0) return 0.0;
+    float along = dot(x, v), squared = dot(v, v), way = kSweptWay * radii;
+    float root = along * along - squared * apart;
+    bool meets = along < 0.0 && h * h * squared > way * way && root >= 0.0;
+    return meets ? apart / (sqrt(root) - along) : 2.0 * h;
+}
+
+// m: how near the centres come within that time.
+float closestApproach(vec3 x, vec3 v, float time) {
+    float squared = dot(v, v);
+    return length(x + (squared > 0.0 ? clamp(-dot(x, v) / squared, 0.0, time) : 0.0) * v);
+}
+
+// Force on sphere A from sphere B, N. x: A's centre less B's, m; v likewise, m/s; time: touchTime(). way: n, or 0 where it is what it always is;
 // pushSpeed: no more than what pushes them to that, m/s, or -1, as for all but bodies that overlap as the world begins.
-vec3 contactForce(ContactSide a, ContactSide b, vec3 x, vec3 v, bool neighbours, vec3 way, float pushSpeed, float h) {
+vec3 contactForce(ContactSide a, ContactSide b, vec3 x, vec3 v, float time, bool neighbours, vec3 way, float pushSpeed, float h) {
+    float radii = a.radius + b.radius;
+    x += time * v;
     float d = length(x);
-    float overlap = a.radius + b.radius - d;
-    if (overlap <= 0.0) return vec3(0.0);
+    float overlap = time > 0.0 ? 0.0 : radii - d;
     vec3 n = d > 1.0e-9 ? x / d : vec3(0.0, 1.0, 0.0);
     if (way != vec3(0.0)) n = way;
     float M = a.mass * b.mass / (a.mass + b.mass) / max(1.0, max(a.crowd, b.crowd));
@@ -31,6 +51,7 @@ vec3 contactForce(ContactSide a, ContactSide b, vec3 x, vec3 v, bool neighbours,
     } else {
         float touching = min(1.0, overlap / max(h * abs(separating), 1.0e-12));
         f = M / h * (kContactStiffness / h * overlap - 0.5 * (a.damping + b.damping) * touching * separating);
+        if (h * length(v) > kSweptWay * radii) f = max(f, -(1.0 + 0.5 * (a.restitution + b.restitution)) * M / h * separating);
     }
     if (pushSpeed >= 0.0) f = min(f, kInelasticDamping * M / h * (pushSpeed - separating));
     f = max(f, 0.0);

@@ -4,15 +4,39 @@
 
 const float kDamping = 0.1;     // b: stress is taken from G = F + b·h·Ḟ (stiffness-proportional damping)
 const float kHotDamping = 0.5;  // b of strongly deformed elements
+const float kMostTurn2 = 0.02;  // |b·h·Ḟ|² up to which a cell turns as one
+const float kMostStretch2 = 4.5;  // and |F|²; 3 at rest
 
 struct ElementStress {
     mat3 piola;     // P, Pa
     mat3 rotation;  // R of G
 };
 
+float squaredNorm(mat3 m) { return dot(m[0], m[0]) + dot(m[1], m[1]) + dot(m[2], m[2]); }
+
+// Strongly deformed.
+bool isHot(ElementLaw law, mat3 F) {
+    return determinant(F) < (law.extremes.x > 0.0 ? 0.5 : 0.3) || squaredNorm(F) > 6.0;
+}
+
+// Damping takes the stress from where the nodes will be b·h later. By then a cell that spins has turned on, and so have the
+// forces: they would brake it by b·h·ω² a second. This rotation turns the forces of a cell back, as far as its central tetrahedron
+// turns; none where that does not turn as one (src/core/elasticity.hpp).
+mat3 turnedBack(ElementLaw law, mat3 F, mat3 rate, float h) {
+    mat3 change = kDamping * h * rate;
+    bool asOne = squaredNorm(change) < kMostTurn2 && squaredNorm(F) < kMostStretch2;
+    return !isHot(law, F) && asOne ? gramSchmidt(F) * transpose(gramSchmidt(F + change)) : mat3(1.0);
+}
+
+// Columns of the gradient of a field on a cell's central tetrahedron 0, 3, 5, 6; half: half reciprocal edge lengths.
+mat3 centralGradient(vec3 a0, vec3 a3, vec3 a5, vec3 a6, vec3 half_) {
+    vec3 first = a3 - a6, second = a5 - a0;
+    return mat3((first + second) * half_.x, (a3 + a6 - a5 - a0) * half_.y, (second - first) * half_.z);
+}
+
 ElementStress elementStress(ElementLaw law, mat3 F, mat3 rate, float h) {
-    float viscosity = law.viscosity.x;
-    bool hot = determinant(F) < (viscosity > 0.0 ? 0.5 : 0.3) || dot(F[0], F[0]) + dot(F[1], F[1]) + dot(F[2], F[2]) > 6.0;
+    float viscosity = law.extremes.x;
+    bool hot = isHot(law, F);
     mat3 G = F + (hot ? kHotDamping : kDamping) * h * rate;
     mat3 R = polarRotation(G);
     float lambda = law.elasticity.x, mu = law.elasticity.y;
@@ -25,6 +49,8 @@ ElementStress elementStress(ElementLaw law, mat3 F, mat3 rate, float h) {
         mat3 strain = 0.5 * (transpose(G) * G - mat3(1.0));
         float dilation = strain[0][0] + strain[1][1] + strain[2][2];
         P = G * (2.0 * mu * strain + mat3(lambda * dilation));
+        float size = sqrt(squaredNorm(P)), most = law.extremes.y;
+        if (size > most) P *= most / size;
     }
     if (hot && viscosity > 0.0)
         P += viscosity * rate;

@@ -38,11 +38,8 @@ void stayBetween(int axis, vec3 rest, inout vec3 u, inout vec3 v, precise inout 
 #endif
 
 // acceleration: m/s², of the joined group, gravity and events included. rest: m; x and z count only in a room.
-void integrateNode(inout vec3 displacement, inout vec3 velocity, vec3 acceleration, float drag, float speedLimit,
-                   vec3 rest) {
+void integrateNode(inout vec3 displacement, inout vec3 velocity, vec3 acceleration, float drag, vec3 rest) {
     velocity = velocity * drag + stepSize * acceleration;
-    float speed = length(velocity);
-    if (speed > speedLimit) velocity *= speedLimit / speed;
     precise vec3 next = displacement + stepSize * velocity;
     precise float height = rest.y + next.y;
     if (ground.x > 0.0 && height < 0.0) stopAt(1, -rest.y, 1.0, ground.y, displacement, velocity, next);

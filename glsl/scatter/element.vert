@@ -27,6 +27,17 @@ out vec3 biotShear;       // T_xy, T_yz, T_zx, Pa
 vec3 displacementOf(int node) { return texelFetch(nodes, 2 * node).xyz; }
 vec3 velocityOf(int node) { return texelFetch(nodes, 2 * node + 1).xyz; }
 
+// What turns the forces of a cell back: all its tetrahedra work it out of the central one's nodes.
+mat3 backOf(int cell, ElementLaw law) {
+    int parity = parityOf(cellRecord(cell));
+    vec3 half_ = 0.5 / law.cellSize.xyz;
+    if (parity != 0) half_.x = -half_.x;  // the mirrored split
+    int a = 8 * cell + parity, b = 8 * cell + (3 ^ parity), c = 8 * cell + (5 ^ parity), d = 8 * cell + (6 ^ parity);
+    mat3 F = mat3(1.0) + centralGradient(displacementOf(a), displacementOf(b), displacementOf(c), displacementOf(d), half_);
+    mat3 rate = centralGradient(velocityOf(a), velocityOf(b), velocityOf(c), velocityOf(d), half_);
+    return turnedBack(law, F, rate, stepSize);
+}
+
 void main() {
     int cell = gl_VertexID / 5, tetrahedron = gl_VertexID % 5;
     elementNodes = nodeIndices;
@@ -50,7 +61,7 @@ void main() {
     ElementStress stress = elementStress(law, F, velocity * inverseRest, stepSize);
 
     float volume = law.cellSize.w * (tetrahedron == 4 ? 1.0 / 3.0 : 1.0 / 6.0);
-    mat3 forces = -volume * stress.piola * transpose(inverseRest);
+    mat3 forces = -volume * backOf(cell, law) * stress.piola * transpose(inverseRest);
     force1 = forces[0];
     force2 = forces[1];
     force3 = forces[2];

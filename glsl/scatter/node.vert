@@ -23,7 +23,7 @@ void main() {
     vec3 acceleration =
         force.rgb * force.a + body.gravity.xyz + eventAcceleration(body.events.xy, restPosition, stepInFrame);
     vec3 u = displacement.xyz, v = velocity.xyz;
-    integrateNode(u, v, acceleration, body.gravity.w, body.cellSize.w, restPosition);
+    integrateNode(u, v, acceleration, body.gravity.w, restPosition);
     newDisplacement = vec4(u, displacement.w);
     newVelocity = vec4(v, 0.0);
 }

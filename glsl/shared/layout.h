@@ -25,7 +25,8 @@ struct ElementLaw {
     vec4 cellSize;   // xyz: m; w: volume of a cell, m³
     vec4 elasticity; // λ, μ (Pa); law; S = √(E/E_eff)
     vec4 fracture;   // maxStress (Pa); 1/τ (1/s); shear weight β; internal friction μ
-    vec4 viscosity;  // x: of strongly deformed elements, Pa·s; yzw unused
+    vec4 extremes;   // viscosity of strongly deformed elements, Pa·s; largest |P| by Green's law, Pa; what a blow may add to a
+                     // traction, Pa; w unused
 };
 
 // What a row's material looks like: the same row of the uniform block SurfaceLooks (std140; src/render/look_table.hpp).
@@ -53,7 +54,7 @@ struct SurfaceLook {
 // One body: four texels of the texture buffer `bodies` (RGBA32F; integers are exact below 2^24).
 struct BodyRecord {
     vec4 lattice;  // cells along x, y, z; first cell
-    vec4 cellSize; // xyz: m; w: speed limit, m/s
+    vec4 cellSize; // xyz: m; w unused
     vec4 gravity;  // xyz: m/s²; w: exp(−drag·h)
     vec4 events;   // first event, number of events; spheres of a cell along x, y, z: x + 16 y + 256 z; their radius, m
 };

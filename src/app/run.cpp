@@ -189,9 +189,10 @@ int run(RunOptions options) {
     }
     if (const auto* shared = dynamic_cast<const BalancedSolver*>(solver.get()))
         facts.bodiesOnGpu = shared->bodiesOnGpu();
-    for (const std::string& note : lossNotes(*solver))
+    for (const std::string& note : lossNotes(world, *solver))
         std::cerr << "sunder: note: " << note << '\n';
     facts.losses.contacts = solver->droppedContacts();
+    facts.losses.haste = solver->contactHaste();
     const State state = solver->state();
     if (context) context->check();
     writeResults(options, scene, world, state, facts, held);

@@ -89,6 +89,16 @@ nlohmann::ordered_json objectsJson(const World& world, const State& state) {
     return list;
 }
 
+/// Bodies whose contacts may have been missed.
+nlohmann::ordered_json outrunJson(const World& world, const std::vector<double>& haste) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (std::size_t body = 0; body < haste.size(); ++body)
+        if (haste[body] > 1)
+            list.push_back(
+                {{"body", world.bodies()[body].name}, {"times_too_fast", number(haste[body])}});
+    return list;
+}
+
 }  // namespace
 
 std::string reportJson(const Scene& scene, const World& world, const State& state,
@@ -129,7 +139,8 @@ std::string reportJson(const Scene& scene, const World& world, const State& stat
         {"max_speed", number(d.maxSpeed)},
         {"nan", d.nan},
         {"objects", objectsJson(world, state)},
-        {"lost", {{"contacts", facts.losses.contacts}}},
+        {"lost",
+         {{"contacts", facts.losses.contacts}, {"outrun", outrunJson(world, facts.losses.haste)}}},
         {"ms_per_step",
          {{"median", percentile(facts.msPerStep, 0.5)},
           {"p95", percentile(facts.msPerStep, 0.95)}}},

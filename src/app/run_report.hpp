@@ -20,6 +20,7 @@ struct RunFacts {
     IncidentTally incidents;
     struct {
         std::int64_t contacts = 0;  ///< Solver::droppedContacts()
+        std::vector<double> haste;  ///< Solver::contactHaste()
     } losses;                       ///< what the solver had to leave out
 };
 

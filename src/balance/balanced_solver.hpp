@@ -27,6 +27,7 @@ class BalancedSolver : public gpu::GpuSolver {
     bool objectAsleep(int object) const override;
     /// Of the bodies on the GPU; `cpu` has room for all.
     std::int64_t droppedContacts() const override { return gather_.droppedContacts(); }
+    std::vector<double> contactHaste() const override { return gather_.contactHaste(); }
     gpu::StateView view() override;
     /// Of the bodies on the GPU.
     void setPassTimer(gpu::PassTimer* timer) override { gather_.setPassTimer(timer); }

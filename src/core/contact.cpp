@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sunder {
 namespace {
@@ -73,6 +74,22 @@ ContactProxy contactProxy(const Vec3& cellSize) {
         --proxy.count[longest];
     }
     return proxy;
+}
+
+double touchTime(const Vec3& x, const Vec3& v, double radii, double step) {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    const double apart = x.squaredNorm() - radii * radii;
+    if (apart < 0) return 0;
+    const double along = x.dot(v), squared = v.squaredNorm(), way = kSweptWay * radii / step;
+    if (along >= 0 || squared <= way * way) return never;
+    const double root = along * along - squared * apart;
+    const double time = root < 0 ? never : apart / (std::sqrt(root) - along);
+    return time <= step ? time : never;
+}
+
+double closestApproach(const Vec3& x, const Vec3& v, double time) {
+    const double squared = v.squaredNorm();
+    return (x + (squared > 0 ? std::clamp(-x.dot(v) / squared, 0.0, time) : 0) * v).norm();
 }
 
 double contactMargin(double radiusA, double radiusB, double speed, double step) {

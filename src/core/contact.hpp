@@ -17,13 +17,19 @@ namespace sunder {
 ///   normal force    f = max(0, κ·M/h²·δ − α·w·M/h·(v·n)) / N,  w = min(1, δ/(h·|v·n|))
 ///   friction        opposite to the tangential part v_t of v: min(μ·f, β·M/h·|v_t| / N)
 ///
-/// with κ = kContactStiffness, α from the restitution asked for (contactDamping), β =
-/// kFrictionRate, μ the mean of the two materials' friction and α the mean of their dampings.
-/// Stiffness and damping in units of M and h obey the stability limit whatever the material: h²·k/M
-/// + 2·h·c/M < 4. N, the number of sphere pairs of a cell that were closer than kCrowdGap radii at
-/// the last search (at least 1), keeps that true in a crowd. w is the share of the
-/// step that the spheres have been in touch for: without it the restitution depends on where within
-/// a step they met (0.46 to 0.55 for 0.5; with it 0.495 to 0.505).
+/// Spheres that move far in a step would jump over each other: two that come nearer by more than
+/// kSweptWay·(r_A + r_B) in a step and that touch within it meet there, with δ = 0 and n as it is
+/// then (touchTime()), and part at once; so do those that overlap already:
+///
+///   f ≥ (1 + e)·M/h·(−v·n) / N
+///
+/// with κ = kContactStiffness, e the mean of the restitutions asked for, α of the dampings that
+/// they make (contactDamping), μ of the two materials' friction, β = kFrictionRate. Stiffness and
+/// damping in units of M and h obey the stability limit whatever the material: h²·k/M
+/// + 2·h·c/M < 4. N, the number of sphere pairs of a cell that the last search found closer than
+/// kCrowdGap radii, or on their way there before the next (at least 1), keeps that true in a crowd.
+/// w is the share of the step that the spheres have been in touch for: without it the restitution
+/// depends on where within a step they met (0.46 to 0.55 for 0.5; with it 0.495 to 0.505).
 ///
 /// Neighbours on the body's lattice (all three coordinates differ by at most one) that once hung
 /// together push each other only inelastically, so that a fresh crack does not explode, however
@@ -54,6 +60,7 @@ inline constexpr double kInelasticDamping = 0.6;  ///< α₀
 inline constexpr double kPartingTime = 0.01;      ///< s
 inline constexpr double kCrowdGap = 0.1;          ///< radii, the smaller one's
 inline constexpr int kContactInterval = 4;        ///< steps
+inline constexpr double kSweptWay = 0.1;          ///< sums of radii
 
 /// α for a restitution e of 0 to 1: the one at which two spheres that meet head on part with e
 /// times the speed, worked out with the very steps the solvers take. Restitutions below about 0.13
@@ -78,6 +85,14 @@ struct ContactProxy {
     double reach(const Vec3& cellSize) const;
 };
 ContactProxy contactProxy(const Vec3& cellSize);
+
+/// s: when two spheres touch, the sum of whose radii is `radii` (m); x: one's centre less the
+/// other's, m, v likewise, m/s. 0 where they do now. Infinite where they do not within `step` (s),
+/// or are slow enough to be found overlapping.
+double touchTime(const Vec3& x, const Vec3& v, double radii, double step);
+
+/// m: how near the centres come within `time` (s).
+double closestApproach(const Vec3& x, const Vec3& v, double time);
 
 /// m: gap below which a pair is kept until the next search: half the sum of the radii, or how far
 /// the pair closes in by then at the relative speed `speed` (m/s), a tenth on top.

@@ -1,5 +1,6 @@
 #include "core/elasticity.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
@@ -34,6 +35,10 @@ double hotViscosity(double mu, double reserve, double h) {
     return 2 * mu * h * std::max(0.0, std::min(wanted, room));
 }
 
+double largestGreenStress(double density, double edge, double h) {
+    return 0.2 * density * (edge / h) * (edge / h);
+}
+
 double hotDeterminant(double viscosity) {
     return viscosity > 0 ? 0.5 : 0.3;
 }
@@ -59,9 +64,34 @@ Mat3 polarRotation(const Mat3& G) {
     return svd.matrixU() * Vec3(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
 }
 
+namespace {
+
+/// Strongly deformed.
+bool isHot(const ElementLaw& law, const Mat3& F) {
+    return F.determinant() < hotDeterminant(law.hotViscosity) || F.squaredNorm() > 6;
+}
+
+/// Axes that follow the columns of F (Gram–Schmidt), which is far from singular.
+Mat3 frameOf(const Mat3& F) {
+    Mat3 frame;
+    frame.col(0) = F.col(0).normalized();
+    frame.col(1) = (F.col(1) - frame.col(0) * frame.col(0).dot(F.col(1))).normalized();
+    frame.col(2) = frame.col(0).cross(frame.col(1));
+    return frame;
+}
+
+}  // namespace
+
+Mat3 turnedBack(const ElementLaw& law, const Mat3& F, const Mat3& rate, double h) {
+    const Mat3 change = kDamping * h * rate;
+    const bool asOne = change.squaredNorm() < kMostTurn2 && F.squaredNorm() < kMostStretch2;
+    if (isHot(law, F) || !asOne) return Mat3::Identity();
+    return frameOf(F) * frameOf(F + change).transpose();
+}
+
 ElementStress elementStress(const ElementLaw& law, ConstitutiveLaw kind, const Mat3& F,
                             const Mat3& rate, double h) {
-    const bool hot = F.determinant() < hotDeterminant(law.hotViscosity) || F.squaredNorm() > 6;
+    const bool hot = isHot(law, F);
     const Mat3 G = F + (hot ? kHotDamping : kDamping) * h * rate;
     const Mat3 R = polarRotation(G);
     Mat3 P;
@@ -70,6 +100,7 @@ ElementStress elementStress(const ElementLaw& law, ConstitutiveLaw kind, const M
     } else {
         const Mat3 strain = 0.5 * (G.transpose() * G - Mat3::Identity());
         P = G * (2 * law.mu * strain + law.lambda * strain.trace() * Mat3::Identity());
+        if (const double size = P.norm(); size > law.largestStress) P *= law.largestStress / size;
     }
     if (hot && law.hotViscosity > 0)
         P += law.hotViscosity * rate;

@@ -26,6 +26,13 @@ inline constexpr double kHotDamping = 0.5;
 /// takes through a cell. The stability limit asks for 1 + 2·kHotDamping + 2v ≤ reserve·(1 +
 /// 2·kDamping). 0 where that leaves nothing: there the stress is scaled down to the limit instead.
 double hotViscosity(double mu, double reserve, double h);
+/// Largest norm, Pa, that P may have by Green's law, whose stiffness grows with the square of the
+/// stretch: ρ·(ℓ/h)²/5, which moves a corner of a cube by about half its edge within a step. A
+/// stress scaled down to it leaves forces that still add up to nothing, and turn nothing: momentum
+/// is kept. The corotated law is as stiff as it is at rest however an element is deformed, and
+/// needs no such bound.
+double largestGreenStress(double density, double edge, double h);
+
 /// det F below which an element is strongly deformed: earlier where it has a viscosity to calm it.
 double hotDeterminant(double viscosity);
 
@@ -38,6 +45,16 @@ struct ElementStress {
 /// damping and the treatment of strongly deformed ("hot") elements included.
 ElementStress elementStress(const ElementLaw&, ConstitutiveLaw, const Mat3& F, const Mat3& rate,
                             double h);
+
+/// Damping takes the stress from where the nodes will be b·h later. By then a cell that spins has
+/// turned on, and so have the forces: they would brake it by b·h·ω² a second. This rotation turns
+/// the forces of a cell back, as far as its central tetrahedron turns; none where that is strongly
+/// deformed or stretched, or changes so much in the time, that it does not turn as one.
+Mat3 turnedBack(const ElementLaw&, const Mat3& F, const Mat3& rate, double h);
+/// |b·h·Ḟ|² up to which it has: a tenth of a radian.
+inline constexpr double kMostTurn2 = 0.02;
+/// |F|² up to which it has; 3 at rest.
+inline constexpr double kMostStretch2 = 4.5;
 
 /// Strain energy density, J/m³.
 double energyDensity(const ElementLaw&, ConstitutiveLaw, const Mat3& F);

@@ -6,7 +6,8 @@
 
 namespace sunder {
 
-/// A sentence for each kind of thing that the solver has had to leave out so far; never silent.
-std::vector<std::string> lossNotes(const Solver&);
+/// A sentence for each kind of thing that a solver of this world has had to leave out so far, and
+/// what would keep it; never silent.
+std::vector<std::string> lossNotes(const World&, const Solver&);
 
 }  // namespace sunder

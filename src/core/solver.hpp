@@ -38,6 +38,10 @@ class Solver {
     /// Contacts that found no room in one search, at most as far as is known; they were left out.
     /// Zero for a solver that has room for all.
     virtual std::int64_t droppedContacts() const { return 0; }
+    /// How many times as fast as a search for contacts can follow cells of each body have met
+    /// others, as far as is known: contacts between them may have been missed where that is more
+    /// than 1. Empty for a solver that follows at any speed.
+    virtual std::vector<double> contactHaste() const { return {}; }
     /// From now on incidents go there; null: nowhere, the default, at no cost. The state does not
     /// depend on it. Solvers on a GPU hand them over two looks late, all in finish(). The ring
     /// must outlive its use here.

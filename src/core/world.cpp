@@ -117,7 +117,9 @@ int World::lawFor(int materialIndex, const Vec3& cellSize) {
     law.mu = E / (2 * (1 + nu));
     law.stressScale = std::sqrt(m.youngModulus / E);
     law.hotViscosity = hotViscosity(law.mu, stable / E, description_.step);
+    law.largestStress = largestGreenStress(m.density, cellSize.minCoeff(), description_.step);
     law.damageTime = m.damageLength / std::sqrt(E / m.density);
+    law.suddenTraction = law.limited ? kSuddenStrain * E : kInfinity;
     law.maxStress = m.fracture == FractureMode::Cell ? m.maxStress : kInfinity;
     law.restitution = std::round(255 * m.restitution) / 255;
     law.contactDamping = contactDamping(m.restitution);
@@ -147,7 +149,6 @@ void World::layOutCells() {
         body.cellSize = from.size.cwiseQuotient(from.cells.cast<double>());
         body.origin = from.position - Vec3(from.size[0] / 2, 0, from.size[2] / 2);
         body.firstCell = static_cast<int>(cellBody_.size());
-        body.speedLimit = 0.5 * body.cellSize.minCoeff() / description_.step;
         const auto base = static_cast<std::int16_t>(lawFor(from.material, body.cellSize));
         cellBody_.resize(body.firstCell + body.cellCount(), static_cast<int>(index));
         cellLaw_.resize(body.firstCell + body.cellCount(), base);

@@ -106,7 +106,6 @@ struct Body {
     double drag = 0;  ///< 1/s, mass-weighted mean of its cells' `damping`
     Vec3 gravity{0, 0,
                  0};  ///< m/s², the scene's times the mass-weighted mean of its cells' `gravity`
-    double speedLimit = 0;  ///< m/s, half the shortest cell edge per step
     int firstEvent = 0, eventCount = 0;
     double calmest = std::numeric_limits<double>::infinity();  ///< m/s: see core/sleep.hpp
 
@@ -119,6 +118,12 @@ struct Body {
     bool contains(const IVec3& c) const;
 };
 
+/// A material too stiff for the step is made softer, and so slower: cracks in it keep pace with its
+/// waves, not with what hits it. A blow that adds a traction which strains it by this much, and
+/// that in the material itself would be kSuddenStress times the strength, breaks a bond at once.
+inline constexpr double kSuddenStrain = 0.5;
+inline constexpr double kSuddenStress = 5;
+
 /// Constants of one material on cells of one size at the world's step: what an element needs to
 /// turn strain into stress.
 struct ElementLaw {
@@ -130,9 +135,11 @@ struct ElementLaw {
     double stressScale = 1;     ///< S = √(E/E_eff): what an impact's stress lost to the limit
     double damageTime = 1;      ///< s, τ = ℓ_d/√(E_eff/ρ)
     double maxStress = 0;       ///< Pa; infinite unless fracture = cell
+    double suddenTraction = 0;  ///< Pa, kSuddenStrain·E_eff; infinite unless E is limited
     double restitution = 0;     ///< of the material, rounded to 1/255: what objects bounce with
     double contactDamping = 0;  ///< α of core/contact.hpp, from the material's restitution
     double hotViscosity = 0;    ///< Pa·s, of strongly deformed elements (core/elasticity.hpp)
+    double largestStress = std::numeric_limits<double>::infinity();  ///< Pa, |P| by Green's law
 };
 
 struct Event {

@@ -34,12 +34,15 @@ std::vector<Law> makeLaws(const World& world) {
         law.shearWeight = static_cast<float>(m.shearWeight);
         law.friction = static_cast<float>(m.internalFriction);
         law.maxStress = static_cast<float>(std::min<double>(from.maxStress, kUnbreakable));
+        law.suddenTraction =
+            static_cast<float>(std::min<double>(from.suddenTraction, kUnbreakable));
         law.hotStress = from.hotViscosity > 0
                             ? 1.f
                             : static_cast<float>((1 + 2 * kDamping) / (1 + 2 * kHotDamping));
         law.hotDeterminant = static_cast<float>(hotDeterminant(from.hotViscosity));
         law.hotRate = static_cast<float>(from.hotViscosity / (kDamping * world.step()));
         law.nodeMass = static_cast<float>(m.density * from.cellSize.prod() / kCorners);
+        law.largestStress = static_cast<float>(from.largestStress);
         result.push_back(law);
     }
     return result;
@@ -96,7 +99,6 @@ void BodyStorage::choose(const World& world) {
     a.drag = static_cast<float>(std::exp(-body.drag * h));
     a.slowShare =
         std::min(1.f, static_cast<float>(world.description().fractureInterval) * a.step / 0.1f);
-    a.speedLimit = static_cast<float>(body.speedLimit);
     a.returnShare = static_cast<float>(h / std::max(kPartingTime, h));
     a.returnWay = static_cast<float>(h * world.pushSpeed());
     a.ground = world.description().ground;

@@ -22,10 +22,12 @@ struct Law {
     float damageRate;     ///< 1/τ, 1/s
     float shearWeight, friction;
     float maxStress;       ///< Pa; kUnbreakable unless fracture = cell
+    float suddenTraction;  ///< Pa; kUnbreakable unless E is limited
     float hotStress;       ///< what strongly deformed elements scale their stress with
     float hotDeterminant;  ///< det F below which they are that
     float hotRate;         ///< Pa, their viscosity over b·h
     float nodeMass;        ///< kg, of one corner of a cell
+    float largestStress;   ///< Pa, |P| by Green's law
 };
 
 /// Which constants a body's cells need: all the same law, or one law per cell.
@@ -87,7 +89,7 @@ struct BodyArrays {
     float inverseCell[3] = {};                    ///< 1/m
     float forceWeight[3] = {};                    ///< m², volume/(6·edge)
     float dampingTime = 0;                        ///< b·h, s
-    float step = 0, drag = 0, speedLimit = 0;     ///< s, exp(−d·h), m/s
+    float step = 0, drag = 0;                     ///< s, exp(−d·h)
     float slowShare = 0;                          ///< core/traction.hpp
     float gravity[3] = {};                        ///< m/s²
     bool ground = false, room = false;

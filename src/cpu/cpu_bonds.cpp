@@ -59,10 +59,15 @@ HWY_INLINE void loadBond(const BodyArrays& body, int cell, int axis, float inter
     const V tension = hn::Max(tn, zero);
     const V unscaled = hn::Sqrt(tension * tension + law(&Law::shearWeight) * ts * ts) / S;
     const V newSlow = slow + (unscaled - slow) * set(body.slowShare);
-    const V ratio = (newSlow + S * hn::Max(zero, unscaled - newSlow)) / strength;
+    const V blow = hn::Max(zero, unscaled - newSlow);
+    const V ratio = (newSlow + S * blow) / strength;
     const V rate = set(interval) * law(&Law::damageRate);
     const V grown = hn::Min(set(1.f), damage + rate * hn::Min(ratio - set(1.f), set(4.f)));
     damage = hn::IfThenElse(hn::And(holds, hn::Gt(ratio, set(1.f))), grown, damage);
+    const Mask sudden =
+        hn::And(hn::Gt(blow, law(&Law::suddenTraction)),
+                hn::Gt(S * S * blow, set(static_cast<float>(kSuddenStress)) * strength));
+    damage = hn::IfThenElse(hn::And(holds, sudden), set(1.f), damage);
     slow = hn::IfThenElse(holds, newSlow, slow);
 }
 

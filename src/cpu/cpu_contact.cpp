@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sunder::cpu {
 namespace {
@@ -14,13 +15,16 @@ Contact::Contact(const World& world, std::vector<const BodyArrays*> bodies) : wo
     step_ = static_cast<float>(world.step());
     closing_ = static_cast<float>(contactMargin(0, 0, 1, world.step()));
     pushSpeed_ = static_cast<float>(world.pushSpeed());
+    searchInterval_ = static_cast<float>(kContactInterval * world.step());
+    sweptSpeed_ = static_cast<float>(kSweptWay / world.step());
     partingTime_ = static_cast<float>(
         std::max(kPartingTime, kInelasticDamping * world.step() / kContactStiffness));
     for (const ElementLaw& law : world.laws()) {
         const Material& m = world.description().materials[law.material];
         laws_.push_back({static_cast<float>(contactProxy(law.cellSize).radius),
                          static_cast<float>(m.density * law.cellSize.prod()),
-                         static_cast<float>(law.contactDamping), static_cast<float>(m.friction)});
+                         static_cast<float>(law.contactDamping), static_cast<float>(m.friction),
+                         static_cast<float>(law.restitution)});
     }
     int first = 0;
     for (const BodyArrays* arrays : bodies) {
@@ -181,14 +185,29 @@ void Contact::follow(Range tiles) {
     }
 }
 
-/// Whether the spheres surely do not touch.
+float Contact::touchTime(const std::array<float, 3>& x, const std::array<float, 3>& v,
+                         float radii) const {
+    constexpr float never = std::numeric_limits<float>::infinity();
+    const float apart = distance2(x) - radii * radii;
+    if (apart < 0) return 0;
+    const float along = dot(x, v), squared = distance2(v), fast = sweptSpeed_ * radii;
+    if (!(along < 0 && squared > fast * fast)) return never;
+    const float root = along * along - squared * apart;
+    if (!(root >= 0)) return never;
+    const float time = apart / (std::sqrt(root) - along);
+    return time <= step_ ? time : never;
+}
+
+/// Whether the spheres surely do not touch in the step.
 bool Contact::apart(int sphere, int other) const {
-    std::array<float, 3> way;
-    for (int axis = 0; axis < 3; ++axis)
+    std::array<float, 3> way, closing;
+    for (int axis = 0; axis < 3; ++axis) {
         way[axis] = (rest_[axis][sphere] - rest_[axis][other]) +
                     (moved_[axis][sphere] - moved_[axis][other]);
-    const float touch = laws_[lawOf_[sphere]].radius + laws_[lawOf_[other]].radius;
-    return distance2(way) >= touch * touch;
+        closing[axis] = velocity_[axis][sphere] - velocity_[axis][other];
+    }
+    return touchTime(way, closing, laws_[lawOf_[sphere]].radius + laws_[lawOf_[other]].radius) >
+           step_;
 }
 
 const Parting* Contact::partingOf(int sphere, int other) const {
@@ -205,9 +224,11 @@ std::array<float, 3> Contact::pairForce(int a, int b, bool neighbours) const {
         normal[axis] = (rest_[axis][a] - rest_[axis][b]) + (moved_[axis][a] - moved_[axis][b]);
         v[axis] = velocity_[axis][a] - velocity_[axis][b];
     }
-    const float touch = lawA.radius + lawB.radius, squared = distance2(normal);
-    if (!(squared < touch * touch)) return {0, 0, 0};
-    const float distance = std::sqrt(squared), overlap = touch - distance;
+    const float touch = lawA.radius + lawB.radius, time = touchTime(normal, v, touch);
+    if (!(time <= step_)) return {0, 0, 0};
+    for (int axis = 0; axis < 3; ++axis) normal[axis] += time * v[axis];
+    const float distance = std::sqrt(distance2(normal));
+    const float overlap = time > 0 ? 0 : touch - distance;
     if (distance > 0)
         for (float& x : normal) x /= distance;
     else
@@ -218,14 +239,18 @@ std::array<float, 3> Contact::pairForce(int a, int b, bool neighbours) const {
         for (int axis = 0; axis < 3; ++axis) normal[axis] = static_cast<float>(parting->way[axis]);
     const auto crowd = static_cast<float>(std::max({1, crowd_[cellOf_[a]], crowd_[cellOf_[b]]}));
     const float rate = lawA.mass * lawB.mass / ((lawA.mass + lawB.mass) * step_ * crowd);
-    const float approach = v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2];
+    const float approach = dot(v, normal), fast = sweptSpeed_ * touch;
     float push = 0;
-    if (neighbours)
+    if (neighbours) {
         push = static_cast<float>(kInelasticDamping) * rate * (overlap / partingTime_ - approach);
-    else
+    } else {
         push = rate * (static_cast<float>(kContactStiffness) / step_ * overlap -
                        0.5f * (lawA.damping + lawB.damping) *
                            std::clamp(approach, -overlap / step_, overlap / step_));
+        if (distance2(v) > fast * fast)
+            push = std::max(push,
+                            -(1 + 0.5f * (lawA.restitution + lawB.restitution)) * rate * approach);
+    }
     if (parting)
         push =
             std::min(push, static_cast<float>(kInelasticDamping) * rate * (pushSpeed_ - approach));

@@ -19,6 +19,10 @@ inline float distance2(const std::array<float, 3>& a) {
     return a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
 }
 
+inline float dot(const std::array<float, 3>& a, const std::array<float, 3>& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 /// Contact between the cells of all bodies (core/contact.hpp).
 ///
 /// A search has two stages. The list of *candidates*, spheres that may come near each other within
@@ -103,7 +107,7 @@ class Contact {
         std::vector<Loose> loose;  ///< lattice neighbours that no joined node holds together
     };
     struct CellLaw {
-        float radius, mass, damping, friction;
+        float radius, mass, damping, friction, restitution;
     };
     /// Part of a body's tiles, and what its spheres have come to.
     struct Stretch {
@@ -138,6 +142,9 @@ class Contact {
                         int end);
     void layOut(const World& world);
     void centreTile(const BodyContact& body, int tile, int sphere);
+    /// touchTime() of core/contact.hpp; infinite where the spheres surely do not touch.
+    float touchTime(const std::array<float, 3>& x, const std::array<float, 3>& v,
+                    float radii) const;
     bool apart(int sphere, int other) const;
     /// How the bodies of two spheres part that overlap from the start; null: they do not.
     const Parting* partingOf(int sphere, int other) const;
@@ -163,8 +170,10 @@ class Contact {
     std::vector<BodyContact> bodies_;
     std::vector<CellLaw> laws_;
     float step_ = 0, closing_ = 0;  ///< s; closing_·speed: the margin that speed asks for
+    float searchInterval_ = 0;      ///< s
     float partingTime_ = 0;         ///< s
     float pushSpeed_ = 0;           ///< m/s
+    float sweptSpeed_ = 0;          ///< 1/s: faster than that times the radii is fast
     bool due_ = true;
     IncidentWatch* watch_ = nullptr;
 

@@ -11,6 +11,8 @@ namespace {
 /// What a sphere may move, in radii, or in searches at its speed, before candidates are renewed.
 constexpr float kLeeway = 0.8f;
 constexpr float kLeewaySearches = 8;
+/// More leeway than this, in radii, would make candidates of everything around.
+constexpr float kMostLeeway = 32;
 /// Cells of an intact body two or more apart touch only after their displacements differ by as much
 /// as lies between them; below this many edges nothing short of crushed cells comes near that.
 constexpr float kFold = 2;
@@ -219,7 +221,8 @@ void Contact::findCandidates(const ForEach& forEach) {
                 speed2 += velocity_[axis][sphere] * velocity_[axis][sphere];
             }
             const float leeway = kLeewaySearches * kContactInterval * step_ * std::sqrt(speed2);
-            allowed_[sphere] = now.reach + std::max(kLeeway * body.radius, leeway);
+            allowed_[sphere] =
+                now.reach + std::clamp(leeway, kLeeway * body.radius, kMostLeeway * body.radius);
             grid_.add({now.x, now.y, now.z, allowed_[sphere], sphere});
         }
     }

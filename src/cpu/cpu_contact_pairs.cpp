@@ -10,6 +10,13 @@ namespace {
 
 constexpr int kCandidatesPerPart = 4096;
 
+/// m², the square of closestApproach() (core/contact.hpp).
+float closestApproach2(const std::array<float, 3>& x, const std::array<float, 3>& v, float time) {
+    const float squared = distance2(v);
+    const float when = squared > 0 ? std::clamp(-dot(x, v) / squared, 0.f, time) : 0;
+    return distance2({x[0] + when * v[0], x[1] + when * v[1], x[2] + when * v[2]});
+}
+
 }  // namespace
 
 /// Takes the pair if its spheres' gap is less than contactMargin().
@@ -31,8 +38,9 @@ void Contact::pick(int a, int b, bool neighbours, std::vector<Pair>& pairs) cons
     const float far2 = distance2(apart);
     if (!(far2 < (touch + margin) * (touch + margin))) return;
     const float crowded = touch + static_cast<float>(kCrowdGap) * std::min(ra, rb);
-    Pair pair{a, b, neighbours, far2 < crowded * crowded, false, false};
-    if (far2 < touch * touch && bodyOf_[a] != bodyOf_[b]) {
+    const float near2 = closestApproach2(apart, closing, searchInterval_);
+    Pair pair{a, b, neighbours, near2 < crowded * crowded, false, false};
+    if (near2 < touch * touch && bodyOf_[a] != bodyOf_[b]) {
         const auto fast = [&](int sphere, const BodyContact& body) {
             const float creep = static_cast<float>(kCreepSpeed) * body.edge;
             return distance2({velocity_[0][sphere], velocity_[1][sphere], velocity_[2][sphere]}) >

@@ -14,6 +14,7 @@
 #define HWY_TARGET_INCLUDE "cpu/cpu_elements.cpp"
 #include <hwy/foreach_target.h>
 
+#include "core/elasticity.hpp"
 #include "cpu/cpu_kernels.hpp"
 #include "cpu/simd_polar-inl.hpp"
 
@@ -89,7 +90,7 @@ HWY_INLINE Mat3v damped(const Mat3v& F, Mat3v rate, V hotDeterminant, Hot& hot) 
 }
 
 struct Elastic {
-    V lambda, twoMu, corotated, hotDeterminant;
+    V lambda, twoMu, corotated, hotDeterminant, largestStress;
 };
 
 HWY_INLINE Mat3v scaleColumns(const Mat3v& m, const Vec3v& s) {
@@ -119,7 +120,13 @@ HWY_INLINE Mat3v piola(const Mat3v& A, const Elastic& law, const Vec3v& weight, 
         const Mat3v S{{law.twoMu * xx + pressure, xy, zx},
                       {xy, law.twoMu * yy + pressure, yz},
                       {zx, yz, law.twoMu * zz + pressure}};
-        const Mat3v green = scaleColumns(A * S, weight);
+        const Mat3v full = A * S;
+        const V size = squaredNorm(full), most = law.largestStress;
+        const Mask over = hn::Gt(size, most * most);
+        Vec3v scale = weight;
+        if (HWY_UNLIKELY(any(over)))
+            scale = scale * hn::IfThenElse(over, most / hn::Sqrt(size), one);
+        const Mat3v green = scaleColumns(full, scale);
         P = kKind == LawKind::Green ? green : select(hn::Gt(law.corotated, half), P, green);
     }
     return P;
@@ -192,7 +199,8 @@ struct Cells {
     Vec3v weight;  ///< volume/(6·edge), likewise
     Elastic law;
     Corners u, v;   ///< displacements and velocities of the bases
-    Mat3v frame;    ///< turns with the cell
+    Mat3v frame;    ///< turns with the cell, as damping sees it
+    Mat3v back;     ///< the same as the cell is now: turnedBack() of core/elasticity.hpp
     Corners force;  ///< on the bases, in that frame
 };
 
@@ -279,9 +287,13 @@ HWY_INLINE void centralTetrahedron(Cells& cells, StressOutput* out) {
     Mat3v F = centralGradient(cells.u, cells.scale);
     addIdentity(F);
     Hot hot;
-    const Mat3v G = damped(F, centralGradient(cells.v, cells.scale * set(cells.body.dampingTime)),
-                           cells.law.hotDeterminant, hot);
+    const Mat3v change = centralGradient(cells.v, cells.scale * set(cells.body.dampingTime));
+    const Mat3v G = damped(F, change, cells.law.hotDeterminant, hot);
     cells.frame = gramSchmidt(G);
+    const Mask asOne = hn::And(hn::Lt(squaredNorm(change), set(static_cast<float>(kMostTurn2))),
+                               hn::Lt(squaredNorm(F), set(static_cast<float>(kMostStretch2))));
+    const Mask turns = hn::AndNot(hot.lanes, asOne);
+    cells.back = select(turns, gramSchmidt(F), cells.frame);
     const Mat3v P = tetrahedron<kKind, kStress, 4>(cells, F, G, hot, out);
     cells.force = {(P.x + P.y) + P.z, P.z - (P.x + P.y), P.y - (P.x + P.z), P.x - (P.y + P.z)};
 }
@@ -292,7 +304,7 @@ HWY_INLINE void storeEnds(const Cells& cells, const Vec3v& apex, const Vec3v& ba
     const std::ptrdiff_t stride = cells.body.stride;
     float* force = cells.body.force + cells.first + 6 * kT * stride;
     constexpr bool high = kT == 0 || kT == 3;
-    const Vec3v a = cells.frame * apex, b = cells.frame * base;
+    const Vec3v a = cells.back * apex, b = cells.back * base;
     const Vec3v &usually = high ? b : a, &mirrored = high ? a : b;
     store3(select(cells.mirrored, mirrored, usually), force, stride);
     store3(select(cells.mirrored, usually, mirrored), force + 3 * stride, stride);
@@ -333,9 +345,10 @@ HWY_INLINE void updateCells(const BodyArrays& body, int first) {
         {side * set(body.inverseCell[0]), set(body.inverseCell[1]), set(body.inverseCell[2])},
         {side * set(body.forceWeight[0]), set(body.forceWeight[1]), set(body.forceWeight[2])},
         {lookup(&Law::lambda), lookup(&Law::twoMu), lookup(&Law::corotated),
-         lookup(&Law::hotDeterminant)},
+         lookup(&Law::hotDeterminant), lookup(&Law::largestStress)},
         loadBases(body.displacement + tiled(kNodeComponents, 0, first), mirrored),
         loadBases(body.velocity + tiled(kNodeComponents, 0, first), mirrored),
+        {},
         {},
         {}};
     StressOutput* out = nullptr;

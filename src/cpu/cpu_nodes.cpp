@@ -134,9 +134,6 @@ HWY_INLINE V updateNode(const BodyArrays& body, int corner, int cell,
     v = {hn::IfThenElseZero(moves, v.x), hn::IfThenElseZero(moves, v.y),
          hn::IfThenElseZero(moves, v.z)};
     V squared = dot(v, v);
-    const Mask fast = hn::Gt(squared, set(body.speedLimit * body.speedLimit));
-    if (HWY_UNLIKELY(any(fast)))
-        v = v * hn::IfThenElse(fast, set(body.speedLimit) / hn::Sqrt(squared), set(1.f));
     Vec3v next = u + v * h;
     if (body.ground || body.room) stayInside(body, corner, cell, u, v, next, squared);
     store3(v, velocity, kLanes);

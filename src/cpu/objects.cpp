@@ -134,7 +134,7 @@ void Objects::findOf(int index, int body, const Cells& cells, const Cells::Bound
         return std::max(0.5 * of.cellSize.minCoeff(),
                         1.1 * kContactInterval * world_.step() * (speed + spin * object.reach()));
     };
-    const double reach = object.reach() + margin(state.velocity.norm() + of.speedLimit);
+    const double reach = object.reach() + cellReach + margin(state.velocity.norm());
     for (int axis = 0; axis < 3; ++axis)
         if (state.position[axis] + reach < bounds.low[axis] ||
             state.position[axis] - reach > bounds.high[axis])

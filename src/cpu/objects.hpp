@@ -22,7 +22,7 @@ class Objects {
         struct Bounds {
             Vec3 low, high;  ///< m
         };
-        /// Around all nodes of a body.
+        /// Around all nodes of a body, and where they get within kContactInterval steps.
         virtual Bounds bounds(int body) const = 0;
         virtual CellMotion motion(int cell) const = 0;
         /// linkMask() of one of its corners.

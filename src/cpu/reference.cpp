@@ -22,9 +22,12 @@ class ReferenceSolver::ObjectCells : public Objects::Cells {
         for (int cell = of.firstCell; cell < of.firstCell + of.cellCount(); ++cell) {
             if (!solver_.world_.present(cell)) continue;
             const CellMotion nodes = motion(cell);
-            for (const Vec3& x : nodes.position) {
-                bounds.low = bounds.low.cwiseMin(x);
-                bounds.high = bounds.high.cwiseMax(x);
+            for (int corner = 0; corner < kCorners; ++corner) {
+                const Vec3& x = nodes.position[corner];
+                const double speed = nodes.velocity[corner].norm();
+                const Vec3 way = Vec3::Constant(contactMargin(0, 0, speed, solver_.world_.step()));
+                bounds.low = bounds.low.cwiseMin(x - way);
+                bounds.high = bounds.high.cwiseMax(x + way);
             }
         }
         return bounds;
@@ -130,24 +133,33 @@ void ReferenceSolver::lookForIncidents() {
     });
 }
 
-/// Forces of every tetrahedron on its own copies of its corners: −V·P·∇N.
+ReferenceSolver::Deformation ReferenceSolver::deformationOf(const Element& e) const {
+    Mat3 displacement, velocity;
+    for (int i = 0; i < 3; ++i) {
+        displacement.col(i) = state_.displacement[e.nodes[i + 1]] - state_.displacement[e.nodes[0]];
+        velocity.col(i) = state_.velocity[e.nodes[i + 1]] - state_.velocity[e.nodes[0]];
+    }
+    return {Mat3::Identity() + displacement * e.inverseRest, velocity * e.inverseRest};
+}
+
+/// Forces of every tetrahedron on its own copies of its corners: −V·P·∇N, turned back.
 void ReferenceSolver::updateElements(bool fracture) {
     std::fill(force_.begin(), force_.end(), Vec3::Zero());
     if (fracture)
         std::fill(principal_.begin(), principal_.end(), -std::numeric_limits<double>::infinity());
-    for (const Element& e : elements_) {
-        Mat3 displacement, velocity;
-        for (int i = 0; i < 3; ++i) {
-            displacement.col(i) =
-                state_.displacement[e.nodes[i + 1]] - state_.displacement[e.nodes[0]];
-            velocity.col(i) = state_.velocity[e.nodes[i + 1]] - state_.velocity[e.nodes[0]];
-        }
-        const Mat3 F = Mat3::Identity() + displacement * e.inverseRest;
+    Mat3 back = Mat3::Identity();
+    for (std::size_t i = 0; i < elements_.size(); ++i) {
+        const Element& e = elements_[i];
         const ElementLaw& law = world_.laws()[world_.lawOf(e.cell)];
-        const ElementStress stress = elementStress(law, world_.materialOf(e.cell).law, F,
-                                                   velocity * e.inverseRest, world_.step());
-        const Mat3 forces = -e.volume * stress.piola * e.inverseRest.transpose();
-        for (int i = 0; i < 3; ++i) force_[e.nodes[i + 1]] += forces.col(i);
+        if (i % kTetrahedraPerCell == 0) {
+            const Deformation central = deformationOf(elements_[i + kTetrahedraPerCell - 1]);
+            back = turnedBack(law, central.F, central.rate, world_.step());
+        }
+        const auto [F, rate] = deformationOf(e);
+        const ElementStress stress =
+            elementStress(law, world_.materialOf(e.cell).law, F, rate, world_.step());
+        const Mat3 forces = -e.volume * back * stress.piola * e.inverseRest.transpose();
+        for (int k = 0; k < 3; ++k) force_[e.nodes[k + 1]] += forces.col(k);
         force_[e.nodes[0]] -= forces.rowwise().sum();
         if (!fracture) continue;
         principal_[e.cell] =
@@ -198,7 +210,6 @@ void ReferenceSolver::updateNodes() {
         const Body& body = world_.bodies()[world_.bodyOf(cell)];
         v = v * std::exp(-body.drag * h) +
             h * (force / mass + body.gravity + eventAcceleration_[node]);
-        if (const double speed = v.norm(); speed > body.speedLimit) v *= body.speedLimit / speed;
         Vec3 next = u + h * v;
         const Vec3 rest = world_.restPosition(node);
         for (const Barrier& barrier : barriers_) {
@@ -253,15 +264,16 @@ void ReferenceSolver::breakCells() {
     }
 }
 
-/// Equivalent traction on the face between a cell and its neighbour along `axis`, dynamic part
-/// scaled by S; also advances the bond's slow part.
-double ReferenceSolver::scaledTraction(int cell, int axis, const ElementLaw& law) {
+/// Traction on the face between a cell and its neighbour along `axis`; also advances the bond's
+/// slow part.
+ReferenceSolver::Load ReferenceSolver::loadOf(int cell, int axis, const ElementLaw& law) {
     const int other = world_.neighbour(cell, axis, +1);
     const double unscaled =
         equivalentTraction(world_, cell, axis, cellStress_[cell], cellStress_[other]);
     double& slow = state_.slow[kBondsPerCell * cell + axis];
     slow += (unscaled - slow) * slowShare(world_);
-    return slow + law.stressScale * std::max(0.0, unscaled - slow);
+    const double blow = std::max(0.0, unscaled - slow);
+    return {slow + law.stressScale * blow, blow};
 }
 
 void ReferenceSolver::damageBonds() {
@@ -274,10 +286,13 @@ void ReferenceSolver::damageBonds() {
             double& damage = state_.damage[bond];
             const double strength = world_.bondStrength(bond);
             if (damage >= 1 || !std::isfinite(strength)) continue;
-            const double ratio = scaledTraction(cell, axis, law) / strength;
+            const Load load = loadOf(cell, axis, law);
+            const double ratio = load.equivalent / strength;
             if (ratio > 1)
                 damage =
                     std::min(1.0, damage + interval / law.damageTime * std::min(ratio - 1, 4.0));
+            const double real = law.stressScale * law.stressScale * load.blow;
+            if (load.blow > law.suddenTraction && real > kSuddenStress * strength) damage = 1;
         }
     }
 }

@@ -36,6 +36,11 @@ class ReferenceSolver : public Solver {
     class ObjectCells;
 
     void updateElements(bool fracture);
+    /// Deformation gradients of an element and of its rate.
+    struct Deformation {
+        Mat3 F, rate;
+    };
+    Deformation deformationOf(const Element&) const;
     void pushObjects();
     void updateNodes();
     void updateFracture();
@@ -44,7 +49,12 @@ class ReferenceSolver : public Solver {
     void updateLinks();
     void lookForIncidents();
     bool overstressed(int cell);
-    double scaledTraction(int cell, int axis, const ElementLaw&);
+    /// What a bond bears, Pa.
+    struct Load {
+        double equivalent;  ///< dynamic part scaled by S
+        double blow;        ///< dynamic part as it is
+    };
+    Load loadOf(int cell, int axis, const ElementLaw&);
 
     const World& world_;
     std::vector<Barrier> barriers_;

@@ -77,7 +77,10 @@ void ReferenceContact::search(const State& state, const std::vector<std::uint8_t
             const bool near = neighbours(a.cell, b.cell);
             if (near && joined(a.cell, b.cell, links)) continue;
             pairs_.push_back({a.cell, a.number, b.cell, b.number, near});
-            if (gap < kCrowdGap * std::min(ra, rb)) {
+            const double nearest = closestApproach(a.centre - b.centre, a.velocity - b.velocity,
+                                                   kContactInterval * world_.step()) -
+                                   ra - rb;
+            if (nearest < kCrowdGap * std::min(ra, rb)) {
                 ++crowd_[a.cell];
                 ++crowd_[b.cell];
             }
@@ -88,27 +91,32 @@ void ReferenceContact::search(const State& state, const std::vector<std::uint8_t
 Vec3 ReferenceContact::pairForce(const Pair& pair, const State& state) const {
     const Sphere a = sphere(state, pair.cellA, pair.sphereA);
     const Sphere b = sphere(state, pair.cellB, pair.sphereB);
-    const Vec3 apart = a.centre - b.centre, v = a.velocity - b.velocity;
+    const Vec3 v = a.velocity - b.velocity;
+    const double h = world_.step();
+    const double radii = proxyOf(a.cell).radius + proxyOf(b.cell).radius;
+    const double time = touchTime(a.centre - b.centre, v, radii, h);
+    if (!(time <= h)) return Vec3::Zero();
+    const Vec3 apart = a.centre - b.centre + time * v;
     const double distance = apart.norm();
-    const double overlap = proxyOf(a.cell).radius + proxyOf(b.cell).radius - distance;
-    if (!(overlap > 0)) return Vec3::Zero();
+    const double overlap = time > 0 ? 0 : radii - distance;
     const Parting* parting = world_.parting(world_.bodyOf(a.cell), world_.bodyOf(b.cell));
     Vec3 normal = distance > 0 ? Vec3(apart / distance) : Vec3(0, 1, 0);
     if (parting && parting->lasts(a.moved - b.moved)) normal = parting->way;
-    const double h = world_.step();
     const double ma = world_.cellMass(a.cell), mb = world_.cellMass(b.cell);
     const double crowd = std::max({1, crowd_[a.cell], crowd_[b.cell]});
     const double rate = ma * mb / (ma + mb) / h / crowd;
     const double approach = v.dot(normal);
     double push = 0;
     if (pair.neighbours) {
-        const double time = std::max(kPartingTime, kInelasticDamping * h / kContactStiffness);
-        push = kInelasticDamping * rate * (overlap / time - approach);
+        const double wait = std::max(kPartingTime, kInelasticDamping * h / kContactStiffness);
+        push = kInelasticDamping * rate * (overlap / wait - approach);
     } else {
         const double damping = 0.5 * (dampingOf(a.cell) + dampingOf(b.cell));
         // w·(v·n): the share of the step in touch, for it is δ/h that they came closer in touch.
         push = rate * (kContactStiffness * overlap / h -
                        damping * std::clamp(approach, -overlap / h, overlap / h));
+        if (h * v.norm() > kSweptWay * radii)
+            push = std::max(push, -(1 + restitution(a.cell, b.cell)) * rate * approach);
     }
     if (parting) push = std::min(push, kInelasticDamping * rate * (world_.pushSpeed() - approach));
     push = std::max(0.0, push);

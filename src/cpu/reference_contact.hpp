@@ -34,6 +34,10 @@ class ReferenceContact {
     Vec3 pairForce(const Pair& pair, const State& state) const;
     void addToCorners(int cell, int number, const Vec3& force, std::vector<Vec3>& nodes) const;
     const ContactProxy& proxyOf(int cell) const { return proxies_[world_.bodyOf(cell)]; }
+    double restitution(int cellA, int cellB) const {
+        const auto of = [&](int cell) { return world_.laws()[world_.lawOf(cell)].restitution; };
+        return 0.5 * (of(cellA) + of(cellB));
+    }
     double dampingOf(int cell) const { return world_.laws()[world_.lawOf(cell)].contactDamping; }
 
     const World& world_;

@@ -14,6 +14,8 @@ namespace {
 /// (glsl/incidents/rank.glsl).
 constexpr std::int64_t kMostSpheres = (1 << 24) - 2 - kMaxObjects;
 
+constexpr std::int64_t kHasteUnit = 1024;  ///< glsl/contact/left_out.glsl
+
 int sphereBits(const World& world) {
     unsigned most = 1;
     for (const Body& body : world.bodies())
@@ -114,6 +116,7 @@ ContactPass::ContactPass(const World& world, int columns, Storage storage)
       exposed_(countSpheres(world), columns << sphereBits_, 1, "exposed spheres"),
       grid_(gridTexels(world), texelColumns(gridTexels(world)), 3, "contact grid"),
       partners_(countSpheres(world), columns << sphereBits_, 8, "contact partners"),
+      hastes_(world.cellCount(), columns, 1, "contact haste"),
       sphereProgram_(program(spheres_, "contact/spheres.frag", gl::with(defines_, "LISTED", "0"))),
       listedProgram_(program(spheres_, "contact/spheres.frag", gl::with(defines_, "LISTED", "1"))),
       regionProgram_({.vertex = "contact/region.vert",
@@ -123,6 +126,7 @@ ContactPass::ContactPass(const World& world, int columns, Storage storage)
       gridProgram_(
           {.vertex = "contact/grid.vert", .fragment = "contact/grid.frag", .defines = defines_}),
       searchProgram_(program(partners_, "contact/search.frag", defines_)),
+      hasteProgram_(hastes_.program(world, "contact/haste.frag")),
       noAttributes_(gl::makeVertexArray()),
       anyExposed_(makeQuery()),
       awakeSpheres_(world.bodies().size(), "awake spheres"),
@@ -138,6 +142,7 @@ ContactPass::ContactPass(const World& world, int columns, Storage storage)
         summaryProgram_ = summaries_->program(world, "contact/summary.frag", defines_);
         cornerProgram_ = summaries_->program(world, "contact/corners.frag", defines_);
     }
+    forgetHaste();
     for (const gl::Program* program : {&regionProgram_, &gridProgram_})
         setConstants(*program, world, columns);
     for (const gl::Program* program : {&regionProgram_, &exposedProgram_})
@@ -208,6 +213,7 @@ void ContactPass::search(std::int64_t step, PassTimer* timer) {
     gl::bindTexture(kGrid, GL_TEXTURE_2D_ARRAY, grid_.texture());
     partners_.fill(searchProgram_, awakeSpheres_);
     if (summaries_) summaries_->fill(summaryProgram_, awakeCells_);
+    keepHaste();
 }
 
 /// Voxels begin somewhere else in every search, evenly spread.
@@ -287,11 +293,45 @@ void ContactPass::fillAwake(const TexelTarget& target, const gl::Program& progra
 }
 
 std::int64_t ContactPass::dropped() const {
-    double sum = 0;
+    std::int64_t sum = 0;
     for (const vec4& found :
          (summaries_ ? *summaries_ : partners_).read(0, {0, world_.cellCount()}))
-        sum += found.z;
-    return std::llround(sum);
+        sum += std::llround(found.z) % kHasteUnit;
+    return sum;
+}
+
+void ContactPass::keepHaste() const {
+    const WhereAny where(anyExposed_);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_MAX);
+    hastes_.fill(hasteProgram_, awakeCells_);
+    glBlendEquation(GL_FUNC_ADD);
+    glDisable(GL_BLEND);
+}
+
+void ContactPass::forgetHaste() const {
+    hastes_.bind();
+    constexpr GLfloat zero[] = {0, 0, 0, 0};
+    glClearBufferfv(GL_COLOR, 0, zero);
+}
+
+std::vector<double> ContactPass::haste() const {
+    std::vector<double> haste(world_.bodies().size(), 1);
+    const auto kept = hastes_.read(0, {0, world_.cellCount()});
+    for (int cell = 0; cell < world_.cellCount(); ++cell) {
+        double& body = haste[world_.bodyOf(cell)];
+        body = std::max(body, hasteOf(std::llround(kept[cell].x)));
+    }
+    return haste;
+}
+
+void raiseHaste(std::vector<double>& haste, const std::vector<double>& by) {
+    haste.resize(std::max(haste.size(), by.size()), 1);
+    for (std::size_t i = 0; i < by.size(); ++i) haste[i] = std::max(haste[i], by[i]);
+}
+
+double hasteOf(std::int64_t quarterOctaves) {
+    return std::exp2(0.25 * static_cast<double>(quarterOctaves));
 }
 
 }  // namespace sunder::gpu

@@ -9,6 +9,11 @@
 
 namespace sunder::gpu {
 
+/// How many times as fast as a search can follow, from what glsl/contact/left_out.glsl holds.
+double hasteOf(std::int64_t quarterOctaves);
+/// The larger of both, body by body.
+void raiseHaste(std::vector<double>& haste, const std::vector<double>& by);
+
 /// Contact between cells (core/contact.hpp) for the GPU solvers.
 ///
 /// Every kContactInterval steps a search, per sphere. First a look at large voxels, regions, by
@@ -55,12 +60,19 @@ class ContactPass {
     }
     /// Contacts that the last search had no room for. Waits for the GPU; never inside a frame.
     std::int64_t dropped() const;
+    /// Layer 0, per cell, x: how much too fast what it met was, in quarter octaves, since
+    /// forgetHaste() (glsl/contact/haste.frag).
+    const gl::Texture& hastes() const { return hastes_.texture(); }
+    void forgetHaste() const;
+    /// The same as Solver::contactHaste(). Waits for the GPU.
+    std::vector<double> haste() const;
 
   private:
     void search(std::int64_t step, PassTimer* timer);
     void shiftGrid(std::int64_t step);
     void fillRegions();
     void findExposed();
+    void keepHaste() const;
     void fillGrid();
     void drawHeld(const gl::Program& program) const;
 
@@ -74,9 +86,10 @@ class ContactPass {
     TexelTarget grid_;                         ///< glsl/contact/grid.glsl
     TexelTarget partners_;                     ///< per sphere: glsl/contact/search.frag
     std::optional<TexelTarget> summaries_;     ///< per cell, where cells have several spheres
+    TexelTarget hastes_;                       ///< per cell: glsl/contact/haste.frag
     std::optional<TexelTarget> sphereForces_;  ///< unless push() writes to corners at once
     gl::Program sphereProgram_, listedProgram_, regionProgram_, exposedProgram_, gridProgram_,
-        searchProgram_, summaryProgram_, pushProgram_, cornerProgram_;
+        searchProgram_, summaryProgram_, hasteProgram_, pushProgram_, cornerProgram_;
     gl::VertexArray noAttributes_;
     gl::Query anyExposed_;  ///< at the last search; where none is, the rest is left out
 

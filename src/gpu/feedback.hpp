@@ -28,6 +28,7 @@ enum Unit {
     kGrid,
     kPartners,
     kSummaries,
+    kHastes,
     kSphereForces,
     kObjects,
     kMotion,

@@ -355,11 +355,16 @@ void GatherSolver::watch() {
     RestMonitor::News news;
     {
         const TimedPass timed(passTimer_, "rest");
-        if (contact_) gl::bindTexture(kSummaries, GL_TEXTURE_2D_ARRAY, contact_->summaries());
+        if (contact_) {
+            gl::bindTexture(kSummaries, GL_TEXTURE_2D_ARRAY, contact_->summaries());
+            gl::bindTexture(kHastes, GL_TEXTURE_2D_ARRAY, contact_->hastes());
+        }
         news = monitor_.look(step_);
+        if (contact_) contact_->forgetHaste();
     }
     newNodeWatch_ = newBondWatch_ = true;
     droppedContacts_ = std::max(droppedContacts_, news.dropped);
+    raiseHaste(contactHaste_, news.haste);
     if (objects_) objects_->look(step_, monitor_.interval());
     rest();
     for (const int body : news.hit) wake(memberOfBody(body));

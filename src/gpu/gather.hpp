@@ -42,6 +42,7 @@ class GatherSolver : public GpuSolver, public BodyHost {
     void setIncidents(IncidentRing* ring) override;
 
     std::int64_t droppedContacts() const override { return droppedContacts_; }
+    std::vector<double> contactHaste() const override { return contactHaste_; }
 
     void adopt(const std::vector<int>& bodies, const State& state) override;
     void release(const std::vector<int>& bodies, State& state) override;
@@ -118,6 +119,7 @@ class GatherSolver : public GpuSolver, public BodyHost {
     std::optional<ObjectPass> objects_;
     bool held_ = true;  ///< any body
     std::int64_t droppedContacts_ = 0;
+    std::vector<double> contactHaste_;
     std::optional<IncidentPass> incidents_;
     bool stirred_ = false;  ///< something has moved since the last look for incidents
     RestMonitor monitor_;

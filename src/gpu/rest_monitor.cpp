@@ -5,12 +5,14 @@
 
 #include "core/incident.hpp"
 #include "core/sleep.hpp"
+#include "gpu/contact_pass.hpp"
 #include "gpu/feedback.hpp"
 
 namespace sunder::gpu {
 namespace {
 
 constexpr int kCellsPerChunk = kCellsPerRestBox;
+constexpr std::int64_t kHasteUnit = 16384;  ///< glsl/gather/rest.frag
 
 /// First cell and number of cells of every chunk; a chunk lies within one body.
 std::vector<GLuint> chunksOf(const World& world) {
@@ -89,17 +91,19 @@ RestMonitor::News RestMonitor::take(const Answer& answer, std::int64_t now) {
     std::vector<vec4> unrest(answer.texels.size() / sizeof(vec4));
     answer.texels.read(0, answer.texels.size(), unrest.data());
     News news;
+    news.haste.resize(bodies_.size(), 1);
     const std::int64_t since = answer.step - interval_;
     for (int index = 0; index < static_cast<int>(bodies_.size()); ++index) {
         Body& body = bodies_[index];
         vec4 all(0);
         for (int chunk = body.chunks.first; chunk < body.chunks.end; ++chunk) {
             const vec4& some = unrest[chunk];
-            all = {std::max(all.x, some.x), std::max(all.y, some.y), std::max(all.z, some.z),
-                   all.w + some.w};
+            all = {std::max(all.x, some.x), std::max(all.y, some.y), std::max(all.z, some.z), 0};
+            const auto leftOut = std::llround(some.w);
+            news.dropped += leftOut % kHasteUnit;
+            news.haste[index] = std::max(news.haste[index], hasteOf(leftOut / kHasteUnit));
             if (some.z >= 2) news.hit.push_back(static_cast<int>(some.z) - 2);
         }
-        news.dropped += static_cast<std::int64_t>(all.w);
         const float limit = all.z > 0 ? body.creepSpeed2 : body.calmSpeed2;
         const bool quiet = body.disturbed <= since && !pushedWithin(world_, index, since, now) &&
                            all.x < limit && all.y == 0;

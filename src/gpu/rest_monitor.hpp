@@ -22,8 +22,9 @@ class RestMonitor {
     int interval() const { return interval_; }
     /// What a look has found out.
     struct News {
-        std::vector<int> hit;      ///< bodies that a cell of another one hits
-        std::int64_t dropped = 0;  ///< contacts that found no room, at the last search
+        std::vector<int> hit;       ///< bodies that a cell of another one hits
+        std::int64_t dropped = 0;   ///< contacts that found no room, at the last search
+        std::vector<double> haste;  ///< Solver::contactHaste(), since the look before that
     };
     /// A few cells of a body: where they were at the look before last, and the speed that none of
     /// their nodes was above since the one before that, m/s.

@@ -178,7 +178,9 @@ StateView ScatterSolver::view() {
 void ScatterSolver::finish() {
     glFinish();
     if (incidents_) incidents_->finish();
-    if (contact_) droppedContacts_ = std::max(droppedContacts_, contact_->dropped());
+    if (!contact_) return;
+    droppedContacts_ = std::max(droppedContacts_, contact_->dropped());
+    raiseHaste(contactHaste_, contact_->haste());
 }
 
 void ScatterSolver::advance(int steps) {

@@ -33,6 +33,7 @@ class ScatterSolver : public GpuSolver {
     void setIncidents(IncidentRing* ring) override;
     /// In the searches that finish() came upon.
     std::int64_t droppedContacts() const override { return droppedContacts_; }
+    std::vector<double> contactHaste() const override { return contactHaste_; }
 
   private:
     /// [current] is read, [1 − current] written.
@@ -76,6 +77,7 @@ class ScatterSolver : public GpuSolver {
     std::optional<ObjectPass> objects_;
     std::optional<IncidentPass> incidents_;
     std::int64_t droppedContacts_ = 0;
+    std::vector<double> contactHaste_;
 };
 
 }  // namespace sunder::gpu

@@ -58,8 +58,7 @@ gl::Buffer makeBodies(const World& world) {
     for (const Body& body : world.bodies()) {
         const ContactProxy proxy = contactProxy(body.cellSize);
         bodies.push_back(
-            {toVec4(body.cells.cast<double>(), body.firstCell),
-             toVec4(body.cellSize, body.speedLimit),
+            {toVec4(body.cells.cast<double>(), body.firstCell), toVec4(body.cellSize, 0),
              toVec4(body.gravity, std::exp(-body.drag * world.step())),
              vec4(static_cast<float>(body.firstEvent), static_cast<float>(body.eventCount),
                   static_cast<float>(proxy.count.dot(IVec3(1, 16, 256))),
@@ -115,7 +114,9 @@ gl::Buffer makeLaws(const World& world) {
         laws[i].fracture = toVec4({std::min(law.maxStress, double{SUNDER_UNBREAKABLE}),
                                    1 / law.damageTime, material.shearWeight},
                                   material.internalFriction);
-        laws[i].viscosity = toVec4({law.hotViscosity, 0, 0}, 0);
+        laws[i].extremes = toVec4({law.hotViscosity, law.largestStress,
+                                   std::min(law.suddenTraction, double{SUNDER_UNBREAKABLE})},
+                                  0);
     }
     return gl::makeBuffer<ElementLaw>(laws, GL_STATIC_DRAW, "materials");
 }

@@ -134,7 +134,8 @@ class Viewer {
 
     /// Each kind as it begins; how much it comes to is among the measurements.
     void sayLosses() {
-        const std::vector<std::string> notes = lossNotes(session_.stage->simulation.solver());
+        const std::vector<std::string> notes =
+            lossNotes(session_.stage->simulation.world(), session_.stage->simulation.solver());
         if (notes.size() > losses_) session_.say(notes.back());
         losses_ = notes.size();
     }

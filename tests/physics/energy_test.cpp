@@ -3,8 +3,8 @@
 // the others leave.
 //
 // Not in the ledger, because the motion alone does not tell what they took: contact of cells and
-// objects with its dampers and friction, friction of the ground, strongly deformed elements, the
-// speed limit. None of them is at work here.
+// objects with its dampers and friction, friction of the ground, strongly deformed elements. None
+// of them is at work here.
 #include <algorithm>
 #include <cmath>
 

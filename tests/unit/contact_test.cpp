@@ -50,3 +50,22 @@ TEST_CASE("damping falls as restitution rises") {
         before = contactDamping(e);
     }
 }
+
+TEST_CASE("spheres that meet within a step touch when their surfaces do") {
+    const double h = 1e-3, radii = 0.1;
+    // Head on: 0.05 m of gap at 100 m/s.
+    CHECK(touchTime({0.15, 0, 0}, {-100, 0, 0}, radii, h) == Approx(5e-4));
+    // Past each other by 0.06 m: they touch 0.08 m before the nearest point.
+    CHECK(touchTime({0.15, 0.06, 0}, {-100, 0, 0}, radii, h) == Approx(7e-4));
+    CHECK(touchTime({0.05, 0, 0}, {100, 0, 0}, radii, h) == 0);                    // they overlap
+    for (const auto& [x, v] : {std::pair<Vec3, Vec3>{{0.25, 0, 0}, {-100, 0, 0}},  // too far
+                               {{0.15, 0.11, 0}, {-100, 0, 0}},                    // they miss
+                               {{0.15, 0, 0}, {100, 0, 0}},                        // they part
+                               {{0.105, 0, 0}, {-9, 0, 0}},                        // slow enough
+                               {{0.15, 0, 0}, {0, 0, 0}}})
+        CHECK(touchTime(x, v, radii, h) > h);
+    CHECK(closestApproach({0.15, 0.06, 0}, {-100, 0, 0}, 1) == Approx(0.06));
+    CHECK(closestApproach({0.15, 0.08, 0}, {-100, 0, 0}, 9e-4) == Approx(0.1));
+    CHECK(closestApproach({0.15, 0.08, 0}, {100, 0, 0}, 1) == Approx(0.17));
+    CHECK(closestApproach({0.15, 0.08, 0}, {0, 0, 0}, 1) == Approx(0.17));
+}

@@ -115,6 +115,53 @@ TEST_CASE("damping takes energy out and stress turns with the element") {
         }
 }
 
+TEST_CASE("Green's stress has a largest norm and turns nothing there either") {
+    Random random(8);
+    ElementLaw law = lawOf(1e6, 0.3);
+    law.largestStress = 1e5;
+    int bounded = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        const Mat3 F = Mat3::Identity() + 0.5 * random.matrix();
+        const Mat3 P = elementStress(law, ConstitutiveLaw::Green, F, Mat3::Zero(), 1e-3).piola;
+        CHECK(P.norm() <= 1e5 * (1 + 1e-12));
+        bounded += P.norm() > 0.999e5;
+        const Mat3 kirchhoff = P * F.transpose();
+        CHECK((kirchhoff - kirchhoff.transpose()).norm() < 1e-12 * 1e6);
+        // The corotated law is not bounded: it is stable as it is.
+        const ElementLaw unbounded = lawOf(1e6, 0.3);
+        CHECK(elementStress(law, ConstitutiveLaw::Corotated, F, Mat3::Zero(), 1e-3).piola ==
+              elementStress(unbounded, ConstitutiveLaw::Corotated, F, Mat3::Zero(), 1e-3).piola);
+    }
+    CHECK(bounded > 50);
+}
+
+TEST_CASE("what damping turns is turned back") {
+    Random random(9);
+    const ElementLaw law = lawOf(1e6, 0.3);
+    const double h = 1e-3, spin = 40, angle = kDamping * h * spin;
+    for (const ConstitutiveLaw kind : {ConstitutiveLaw::Green, ConstitutiveLaw::Corotated})
+        for (int trial = 0; trial < 200; ++trial) {
+            const Mat3 F = random.rotation() * (Mat3::Identity() + 0.05 * random.matrix());
+            const Vec3 axis = random.vector().normalized();
+            Mat3 rate;
+            for (int i = 0; i < 3; ++i) rate.col(i) = spin * axis.cross(F.col(i));
+            const Mat3 P = elementStress(law, kind, F, rate, h).piola;
+            const Mat3 back = turnedBack(law, F, rate, h);
+            CHECK((back.transpose() * back - Mat3::Identity()).norm() < 1e-12);
+            const auto torque = [&](const Mat3& stress) {
+                const Mat3 kirchhoff = stress * F.transpose();
+                return (kirchhoff - kirchhoff.transpose()).norm();
+            };
+            // Of first order in the angle before, of second order after.
+            CHECK(torque(back * P) < 3 * angle * angle * 1e6);
+            CHECK(torque(back * P) < 0.1 * torque(P) + 1e-6);
+        }
+    // Not where that would be a guess.
+    const Mat3 flat = Vec3(1, 1, 0.2).asDiagonal();
+    CHECK(turnedBack(law, flat, random.matrix(), h) == Mat3::Identity());
+    CHECK(turnedBack(law, Mat3::Identity(), 1e5 * random.matrix(), h) == Mat3::Identity());
+}
+
 TEST_CASE(
     "the polar rotation is a rotation, exact for stretches and safe for flat and inverted "
     "elements") {

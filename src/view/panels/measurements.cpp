@@ -100,7 +100,7 @@ void drawMeasurements(Session& session, Interface& ui) {
                {"Fastest", brief(m.diagnostics.maxSpeed, "m/s")}});
     for (const std::string& warning : limitWarnings(session.scene(), world))
         ImGui::TextWrapped("%s", warning.c_str());
-    for (const std::string& note : lossNotes(session.stage->simulation.solver()))
+    for (const std::string& note : lossNotes(world, session.stage->simulation.solver()))
         ImGui::TextWrapped("%s", note.c_str());
 
     ui.heading("One cell");
