@@ -12,6 +12,9 @@
 uniform sampler2DArray partners;   // contact/search.frag
 uniform sampler2DArray summaries;  // of that, layer 0, per cell
 uniform samplerBuffer strengths;   // w: friction
+#if UNEQUAL
+uniform sampler2DArray freeMotions;  // contact/free.frag
+#endif
 uniform float stepSize;            // s
 
 #if IMPULSES
@@ -37,6 +40,9 @@ void main() {
     vec4 centre = texelFetch(spheres, ivec3(texel, 0), 0);
     vec3 velocity = texelFetch(spheres, ivec3(texel, 1), 0).xyz;
     ContactSide own = sideOf(cellOf(self), centre.w);
+#if UNEQUAL
+    vec4 free = texelFetch(freeMotions, ivec3(texel, 0), 0);
+#endif
     vec3 sum = vec3(0.0);
 #if IMPULSES
     float total = 0.0, hardest = 0.0;
@@ -53,6 +59,11 @@ void main() {
         if (time <= stepSize) {
             // Both spheres of a pair work out the same numbers: the lower one's less the higher one's.
             float sign_ = self < other ? 1.0 : -1.0;
+            vec3 stop = vec3(0.0);
+#if UNEQUAL
+            vec4 otherFree = texelFetch(freeMotions, ivec3(address, 0), 0);
+            stop = sign_ * (otherFree.xyz - free.xyz) / (free.w + otherFree.w);
+#endif
             vec3 way = vec3(0.0);
             float pushSpeed = -1.0;
 #if PARTINGS
@@ -60,7 +71,7 @@ void main() {
             else partingOf(other, self, theirs.xyz, centre.xyz, way, pushSpeed);
 #endif
             vec3 force_ = contactForce(own, sideOf(cellOf(other), theirs.w), sign_ * apart, sign_ * closing, time, some.x < 0.0,
-                                       way, pushSpeed, stepSize);
+                                       stop, way, pushSpeed, stepSize);
             sum += sign_ * force_;
 #if IMPULSES
             float impulse = stepSize * length(force_);

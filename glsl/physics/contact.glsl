@@ -2,6 +2,7 @@
 #include "physics/contact_constants.glsl"
 
 const float kFrictionRate = 0.3;
+const float kConstraintShare = 0.95;
 const float kInelasticDamping = 0.6;
 const float kCrowdGap = 0.1;  // radii
 const float kSweptWay = 0.1;  // sums of radii
@@ -33,16 +34,19 @@ float closestApproach(vec3 x, vec3 v, float time) {
     return length(x + (squared > 0.0 ? clamp(-dot(x, v) / squared, 0.0, time) : 0.0) * v);
 }
 
-// Force on sphere A from sphere B, N. x: A's centre less B's, m; v likewise, m/s; time: touchTime(). way: n, or 0 where it is what it always is;
-// pushSpeed: no more than what pushes them to that, m/s, or -1, as for all but bodies that overlap as the world begins.
-vec3 contactForce(ContactSide a, ContactSide b, vec3 x, vec3 v, float time, bool neighbours, vec3 way, float pushSpeed, float h) {
+// Force on sphere A from sphere B, N. x: A's centre less B's, m; v likewise, m/s; time: touchTime(). stop: N, the force of
+// constraint for the whole cell, or 0. way: n, or 0 where it is what it always is; pushSpeed: no more than what pushes them to
+// that, m/s, or -1, as for all but bodies that overlap as the world begins.
+vec3 contactForce(ContactSide a, ContactSide b, vec3 x, vec3 v, float time, bool neighbours, vec3 stop, vec3 way, float pushSpeed,
+                  float h) {
     float radii = a.radius + b.radius;
     x += time * v;
     float d = length(x);
     float overlap = time > 0.0 ? 0.0 : radii - d;
     vec3 n = d > 1.0e-9 ? x / d : vec3(0.0, 1.0, 0.0);
     if (way != vec3(0.0)) n = way;
-    float M = a.mass * b.mass / (a.mass + b.mass) / max(1.0, max(a.crowd, b.crowd));
+    float crowd = max(1.0, max(a.crowd, b.crowd));
+    float M = a.mass * b.mass / (a.mass + b.mass) / crowd;
     float separating = dot(v, n);
     float f;
     if (neighbours) {
@@ -53,10 +57,15 @@ vec3 contactForce(ContactSide a, ContactSide b, vec3 x, vec3 v, float time, bool
         f = M / h * (kContactStiffness / h * overlap - 0.5 * (a.damping + b.damping) * touching * separating);
         if (h * length(v) > kSweptWay * radii) f = max(f, -(1.0 + 0.5 * (a.restitution + b.restitution)) * M / h * separating);
     }
+    vec3 hold = vec3(0.0);
+    if (stop != vec3(0.0) && !neighbours && time == 0.0) {
+        stop /= crowd;
+        f = max(f, 0.0) + kConstraintShare * dot(stop, n);
+        hold = stop - dot(stop, n) * n;
+    }
     if (pushSpeed >= 0.0) f = min(f, kInelasticDamping * M / h * (pushSpeed - separating));
     f = max(f, 0.0);
-    vec3 sliding = v - separating * n;
-    float speed = length(sliding);
-    float friction = min(0.5 * (a.friction + b.friction) * f, kFrictionRate * M / h * speed);
-    return f * n - (speed > 0.0 ? friction / speed : 0.0) * sliding;
+    vec3 drag = hold - kFrictionRate * M / h * (v - separating * n);
+    float size = length(drag), most = 0.5 * (a.friction + b.friction) * f;
+    return f * n + (size > most ? most / size : 1.0) * drag;
 }

@@ -51,11 +51,25 @@ namespace sunder {
 /// with each other and for good, is a rebound faster than that, and loads beyond α₀·M·U/h a pair:
 /// between like cells 37 times a cell's weight at 50 substeps, in proportion to those.
 ///
+/// Where cells of unequal mass touch (World::unequalCells()), M is next to the lighter one's, and
+/// so is the weight that a spring of it could carry. The rest is what the lighter one answers with:
+/// its elasticity, squeezed. So spheres that overlap, of cells that are no such neighbours, push
+/// with the force of constraint as well, which stops them from accelerating into each other
+/// (Gauss's principle). a is what a sphere's acceleration would be without contact: the mean over
+/// its corners of F/m of the joined node, and gravity. C is what a newton on each cell that may
+/// touch something would do to the sphere, spread evenly over the cell's corners, 1/kg:
+///
+///   f += −γ·(a_A − a_B)·n/(C_A + C_B)/N,   friction ≤ μ·f stops the rest of that in the same way
+///
+/// with γ = kConstraintShare: with all of it nothing would be left for the spring, and touch would
+/// come and go. Friction holds at rest then, too.
+///
 /// Cells that still share a joined node never push each other. Which pairs may touch is searched
 /// for every kContactInterval steps, before the step: pairs of spheres whose gap is less than
 /// contactMargin().
 inline constexpr double kContactStiffness = 0.12;
 inline constexpr double kFrictionRate = 0.3;
+inline constexpr double kConstraintShare = 0.95;  ///< γ
 inline constexpr double kInelasticDamping = 0.6;  ///< α₀
 inline constexpr double kPartingTime = 0.01;      ///< s
 inline constexpr double kCrowdGap = 0.1;          ///< radii, the smaller one's

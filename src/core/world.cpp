@@ -51,6 +51,7 @@ World::World(WorldDescription description) : description_(std::move(description)
     makeBonds();
     makeEvents();
     makeObjects();
+    findUnequalCells();
 }
 
 const Material& World::materialOf(int cell) const {
@@ -190,6 +191,16 @@ void World::findOverlaps() {
         if (description_.bodies[i].mayOverlap) bodies_[i].calmest = calmest;
     for (const Parting& parting : partings_)
         bodies_[parting.a].calmest = bodies_[parting.b].calmest = calmest;
+}
+
+void World::findUnequalCells() {
+    double lightest = kInfinity, heaviest = 0;
+    for (int cell = 0; cell < cellCount(); ++cell) {
+        if (!present(cell)) continue;
+        lightest = std::min(lightest, cellMass(cell));
+        heaviest = std::max(heaviest, cellMass(cell));
+    }
+    unequalCells_ = description_.contact && heaviest > kUnequal * lightest;
 }
 
 void World::layOutNodes() {

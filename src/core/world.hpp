@@ -142,6 +142,9 @@ struct ElementLaw {
     double largestStress = std::numeric_limits<double>::infinity();  ///< Pa, |P| by Green's law
 };
 
+/// Up to here a spring of the lighter cell's mass carries a few layers of the heavier ones.
+inline constexpr double kUnequal = 8;
+
 struct Event {
     int body;
     Eigen::Vector3f
@@ -203,6 +206,9 @@ class World {
     int nodeCount() const { return kCorners * cellCount(); }
     int bondSlots() const { return kBondsPerCell * cellCount(); }
     int presentCells() const { return presentCells_; }
+    /// Whether cells that may touch are so unequal that contact has to take in what the lighter
+    /// ones bear (core/contact.hpp): some have more than kUnequal times the mass of others.
+    bool unequalCells() const { return unequalCells_; }
     int bondCount() const { return bondCount_; }
 
     /// False for cells a region removed.
@@ -248,6 +254,7 @@ class World {
     void makeEvents();
     void makeObjects();
     void findOverlaps();
+    void findUnequalCells();
     int lawFor(int material, const Vec3& cellSize);
 
     WorldDescription description_;
@@ -263,6 +270,7 @@ class World {
     std::vector<std::uint8_t> anchored_;
     std::vector<float> bondStrength_;
     int presentCells_ = 0;
+    bool unequalCells_ = false;
     int bondCount_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "cpu/cpu_contact.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -59,6 +60,10 @@ void Contact::layOut(const World& world) {
     lawOf_.assign(count, 0);
     there_.assign(count, 0);
     crowd_.assign(count, 0);
+    if (wantsFreeMotions()) {
+        free_.assign(count, {});
+        listed_.assign(count, 0);
+    }
     near_.assign(count, {});
     lattice_.assign(count, IVec3::Zero());
     begin_.assign(count + 1, 0);
@@ -238,6 +243,7 @@ std::array<float, 3> Contact::pairForce(int a, int b, bool neighbours) const {
                                    moved_[2][a] - moved_[2][b]}))
         for (int axis = 0; axis < 3; ++axis) normal[axis] = static_cast<float>(parting->way[axis]);
     const auto crowd = static_cast<float>(std::max({1, crowd_[cellOf_[a]], crowd_[cellOf_[b]]}));
+    std::array<float, 3> hold{0, 0, 0};
     const float rate = lawA.mass * lawB.mass / ((lawA.mass + lawB.mass) * step_ * crowd);
     const float approach = dot(v, normal), fast = sweptSpeed_ * touch;
     float push = 0;
@@ -251,18 +257,72 @@ std::array<float, 3> Contact::pairForce(int a, int b, bool neighbours) const {
             push = std::max(push,
                             -(1 + 0.5f * (lawA.restitution + lawB.restitution)) * rate * approach);
     }
+    if (!free_.empty() && !neighbours && time == 0) {
+        hold = stopOf(a, b);
+        for (float& x : hold) x /= crowd;
+        const float along = dot(hold, normal);
+        push = std::max(0.f, push) + static_cast<float>(kConstraintShare) * along;
+        for (int axis = 0; axis < 3; ++axis) hold[axis] -= along * normal[axis];
+    }
     if (parting)
         push =
             std::min(push, static_cast<float>(kInelasticDamping) * rate * (pushSpeed_ - approach));
     push = std::max(0.f, push);
-    std::array<float, 3> slip;
-    for (int axis = 0; axis < 3; ++axis) slip[axis] = v[axis] - approach * normal[axis];
-    const float speed = std::sqrt(distance2(slip));
-    const float drag = std::min(0.5f * (lawA.friction + lawB.friction) * push,
-                                static_cast<float>(kFrictionRate) * rate * speed);
-    const float share = speed > 0 ? drag / speed : 0;
-    return {push * normal[0] - share * slip[0], push * normal[1] - share * slip[1],
-            push * normal[2] - share * slip[2]};
+    std::array<float, 3> drag;
+    for (int axis = 0; axis < 3; ++axis)
+        drag[axis] = hold[axis] -
+                     static_cast<float>(kFrictionRate) * rate * (v[axis] - approach * normal[axis]);
+    const float size = std::sqrt(distance2(drag));
+    const float most = 0.5f * (lawA.friction + lawB.friction) * push;
+    const float share = size > most ? most / size : 1;
+    return {push * normal[0] + share * drag[0], push * normal[1] + share * drag[1],
+            push * normal[2] + share * drag[2]};
+}
+
+std::array<float, 3> Contact::stopOf(int a, int b) const {
+    const FreeMotion &freeA = free_[a], &freeB = free_[b];
+    const float mass = 1 / (freeA.inverseContact + freeB.inverseContact);
+    std::array<float, 3> stop;
+    for (int axis = 0; axis < 3; ++axis)
+        stop[axis] = mass * (freeB.acceleration[axis] - freeA.acceleration[axis]);
+    return stop;
+}
+
+void Contact::findFreeMotions(Range cells) {
+    for (int i = cells.from; i < cells.to; ++i) {
+        const BodyContact& body = bodies_[active_[i].body];
+        const BodyArrays& a = *body.arrays;
+        const int cell = active_[i].cell;
+        FreeMotion corners[kCorners];
+        for (int corner = 0; corner < kCorners; ++corner) {
+            const std::ptrdiff_t at = tiled(kCorners, corner, cell);
+            const float inverseMass = a.inverseMass[at];
+            if (inverseMass == 0) continue;
+            std::array<float, 3> force{0, 0, 0};
+            int listed = 0;
+            for (int m = 0; m < a.memberCount; ++m) {
+                const auto& [bit, offset] = a.members[corner][m];
+                if (!(a.links[at] & bit)) continue;
+                for (int axis = 0; axis < 3; ++axis)
+                    force[axis] += a.force[cell + offset + axis * a.stride];
+                const int memberCorner = std::countr_zero(bit) ^ 7;
+                listed += listed_[body.first + cell + offset - 3 * memberCorner * a.stride];
+            }
+            for (int axis = 0; axis < 3; ++axis)
+                corners[corner].acceleration[axis] = force[axis] * inverseMass + a.gravity[axis];
+            corners[corner].inverseContact = static_cast<float>(listed) * inverseMass / kCorners;
+        }
+        for (int s = 0; s < body.spheres; ++s) {
+            FreeMotion& free = free_[body.first + s * body.stride + cell];
+            free = {};
+            for (int corner = 0; corner < kCorners; ++corner) {
+                for (int axis = 0; axis < 3; ++axis)
+                    free.acceleration[axis] +=
+                        body.weight[s][corner] * corners[corner].acceleration[axis];
+                free.inverseContact += body.weight[s][corner] * corners[corner].inverseContact;
+            }
+        }
+    }
 }
 
 /// Adds the forces on the cells to those on their corners.

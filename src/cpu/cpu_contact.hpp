@@ -75,6 +75,10 @@ class Contact {
     /// adds to them. A search leaves nothing to follow.
     void follow(Range tiles);
     void push(Range cells);
+    /// Where cells are unequal, to be called for all cells that push each other before push(), once
+    /// the forces of elements are known; elsewhere there is nothing to do.
+    bool wantsFreeMotions() const { return world_.unequalCells(); }
+    void findFreeMotions(Range cells);
     /// Gets to know what is pushed; null: nobody does.
     void setWatch(IncidentWatch* watch) { watch_ = watch; }
 
@@ -161,6 +165,8 @@ class Contact {
     void listActive();
     void findIslands();
     std::array<float, 3> pairForce(int a, int b, bool neighbours) const;
+    /// N, the force of constraint on `a` from `b` for the whole cell (core/contact.hpp).
+    std::array<float, 3> stopOf(int a, int b) const;
     /// World-wide number of a sphere's cell.
     int worldCell(int sphere) const {
         return world_.bodies()[bodies_[bodyOf_[sphere]].arrays->index].cellAt(lattice_[sphere]);
@@ -180,7 +186,13 @@ class Contact {
     // Per sphere.
     std::array<std::vector<float>, 3> rest_, moved_, velocity_;  ///< m, m, m/s
     std::array<std::vector<float>, 3> before_;  ///< displacement when candidates were searched for
-    std::vector<float> allowed_;        ///< m, reach and way allowed for until the next time
+    struct FreeMotion {
+        std::array<float, 3> acceleration{};  ///< m/s², without contact
+        float inverseContact = 0;             ///< 1/kg
+    };
+    std::vector<std::uint8_t> listed_;  ///< where cells are unequal, at a cell's first sphere
+    std::vector<FreeMotion> free_;  ///< where cells are unequal; of listed spheres that are awake
+    std::vector<float> allowed_;    ///< m, reach and way allowed for until the next time
     std::vector<int> bodyOf_, cellOf_;  ///< cellOf_: number of the cell's first sphere
     std::vector<std::uint16_t> lawOf_;
     std::vector<std::uint8_t> there_;  ///< its cell is present

@@ -129,6 +129,8 @@ void Contact::listPairs() {
 void Contact::listActive() {
     active_.clear();
     tiles_.clear();
+    std::fill(free_.begin(), free_.end(), FreeMotion{});
+    std::fill(listed_.begin(), listed_.end(), std::uint8_t{0});
     for (std::size_t index = 0; index < bodies_.size(); ++index) {
         BodyContact& body = bodies_[index];
         body.tiles.from = static_cast<int>(tiles_.size());
@@ -139,6 +141,7 @@ void Contact::listActive() {
                 entries += begin_[body.first + s * body.stride + cell + 1];
             if (entries == 0) continue;
             active_.push_back({static_cast<int>(index), cell});
+            if (!listed_.empty()) listed_[body.first + cell] = 1;
             if (!body.touching || tiles_.back().tile != cell / kLanes)
                 tiles_.push_back({static_cast<int>(index), cell / kLanes});
             body.touching = true;

@@ -41,6 +41,10 @@ void CpuSolver::advanceObserved(int steps, bool contact) {
             if (run->held) run->startStep(step);
         forAwake([](BodyRun& run, int) { run.elements(0, run.arrays().vectors); });
         tell("elements");
+        if (contact && runner.contact->wantsFreeMotions())
+            forAwake([&](BodyRun&, int body) {
+                if (touches(body)) runner.contact->findFreeMotions(runner.contact->cellsOf(body));
+            });
         if (contact) {
             forAwake([&](BodyRun&, int body) {
                 if (touches(body)) runner.contact->push(runner.contact->cellsOf(body));

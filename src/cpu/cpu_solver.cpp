@@ -168,8 +168,12 @@ void CpuSolver::advanceIsland(int steps, const std::vector<int>& bodies) {
         for (const int body : bodies) bodies_[body]->startStep(step);
         forAwake([&](BodyRun& run, int body) {
             run.elements(0, run.arrays().vectors);
-            contact.push(contact.cellsOf(body));
+            if (!contact.wantsFreeMotions()) contact.push(contact.cellsOf(body));
         });
+        if (contact.wantsFreeMotions()) {
+            forAwake([&](BodyRun&, int body) { contact.findFreeMotions(contact.cellsOf(body)); });
+            forAwake([&](BodyRun&, int body) { contact.push(contact.cellsOf(body)); });
+        }
         if (objects) runner.objects->push(*runner.objectCells);
         forAwake([&](BodyRun& run, int body) {
             run.nodes(0, run.arrays().vectors, 0);
@@ -209,8 +213,12 @@ void CpuSolver::advanceLargeIsland(int steps, const std::vector<int>& bodies) {
         for (const int body : bodies) bodies_[body]->startStep(step);
         forAwake([&](const Part& part) {
             part.run->elements(part.first, part.end);
-            contact.push(part.cells);
+            if (!contact.wantsFreeMotions()) contact.push(part.cells);
         });
+        if (contact.wantsFreeMotions()) {
+            forAwake([&](const Part& part) { contact.findFreeMotions(part.cells); });
+            forAwake([&](const Part& part) { contact.push(part.cells); });
+        }
         if (objects) runner.objects->push(*runner.objectCells);
         forAwake([&](const Part& part) {
             part.run->nodes(part.first, part.end, part.number);

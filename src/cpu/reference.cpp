@@ -117,7 +117,7 @@ void ReferenceSolver::advance(int steps) {
             contact_->search(state_, links_);
         searchDue_ = false;
         updateElements(fracture);
-        if (contact_) contact_->addForces(state_, force_, watch_.get());
+        if (contact_) contact_->addForces(state_, freeNodes(), force_, watch_.get());
         if (objects_) pushObjects();
         updateNodes();
         if (objects_) objects_->move();
@@ -169,6 +169,33 @@ void ReferenceSolver::updateElements(bool fracture) {
             cellStress_[e.cell][e.apex / 2] = 0.5 * (biot + biot.transpose());
         }
     }
+}
+
+/// What nodes would do without contact, where that matters to it.
+std::vector<ReferenceContact::FreeNode> ReferenceSolver::freeNodes() const {
+    std::vector<ReferenceContact::FreeNode> nodes;
+    if (!world_.unequalCells()) return nodes;
+    nodes.resize(static_cast<std::size_t>(world_.nodeCount()));
+    for (int node = 0; node < world_.nodeCount(); ++node) {
+        const int cell = node / kCorners, corner = node % kCorners;
+        if (!world_.present(cell)) continue;
+        Vec3 force = Vec3::Zero();
+        double mass = 0, listed = 0;
+        bool anchored = false;
+        for (int octant = 0; octant < 8; ++octant) {
+            if (!(links_[node] >> octant & 1)) continue;
+            const int other = cellInOctant(world_, cell, corner, octant);
+            const int member = kCorners * other + (octant ^ 7);
+            force += force_[member];
+            mass += world_.nodeMass(member);
+            anchored |= world_.anchored(member);
+            listed += contact_->listed()[other];
+        }
+        if (anchored) continue;
+        const Vec3& gravity = world_.bodies()[world_.bodyOf(cell)].gravity;
+        nodes[node] = {force / mass + gravity, listed / (kCorners * mass)};
+    }
+    return nodes;
 }
 
 void ReferenceSolver::pushObjects() {

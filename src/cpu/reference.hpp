@@ -41,6 +41,7 @@ class ReferenceSolver : public Solver {
         Mat3 F, rate;
     };
     Deformation deformationOf(const Element&) const;
+    std::vector<ReferenceContact::FreeNode> freeNodes() const;
     void pushObjects();
     void updateNodes();
     void updateFracture();

@@ -86,9 +86,24 @@ void ReferenceContact::search(const State& state, const std::vector<std::uint8_t
             }
         }
     std::sort(pairs_.begin(), pairs_.end());
+    listed_.assign(static_cast<std::size_t>(world_.cellCount()), false);
+    for (const Pair& pair : pairs_) listed_[pair.cellA] = listed_[pair.cellB] = true;
 }
 
-Vec3 ReferenceContact::pairForce(const Pair& pair, const State& state) const {
+ReferenceContact::FreeSphere ReferenceContact::freeSphere(int cell, int number,
+                                                          const std::vector<FreeNode>& free) const {
+    const auto& weights = weights_[world_.bodyOf(cell)][number];
+    FreeSphere sphere;
+    for (int corner = 0; corner < kCorners; ++corner) {
+        const FreeNode& node = free[kCorners * cell + corner];
+        sphere.acceleration += weights[corner] * node.acceleration;
+        sphere.inverseContact += weights[corner] * node.inverseContact;
+    }
+    return sphere;
+}
+
+Vec3 ReferenceContact::pairForce(const Pair& pair, const State& state,
+                                 const std::vector<FreeNode>& free) const {
     const Sphere a = sphere(state, pair.cellA, pair.sphereA);
     const Sphere b = sphere(state, pair.cellB, pair.sphereB);
     const Vec3 v = a.velocity - b.velocity;
@@ -118,14 +133,23 @@ Vec3 ReferenceContact::pairForce(const Pair& pair, const State& state) const {
         if (h * v.norm() > kSweptWay * radii)
             push = std::max(push, -(1 + restitution(a.cell, b.cell)) * rate * approach);
     }
+    Vec3 hold = Vec3::Zero();
+    if (!free.empty() && !pair.neighbours && time == 0) {
+        const FreeSphere freeA = freeSphere(pair.cellA, pair.sphereA, free);
+        const FreeSphere freeB = freeSphere(pair.cellB, pair.sphereB, free);
+        const Vec3 stop = (freeB.acceleration - freeA.acceleration) /
+                          (freeA.inverseContact + freeB.inverseContact) / crowd;
+        push = std::max(0.0, push) + kConstraintShare * stop.dot(normal);
+        hold = stop - stop.dot(normal) * normal;
+    }
     if (parting) push = std::min(push, kInelasticDamping * rate * (world_.pushSpeed() - approach));
     push = std::max(0.0, push);
     const Vec3 slip = v - approach * normal;
-    const double speed = slip.norm();
     const double friction =
         0.5 * (world_.materialOf(a.cell).friction + world_.materialOf(b.cell).friction);
-    const double drag = std::min(friction * push, kFrictionRate * rate * speed);
-    return push * normal - (speed > 0 ? drag / speed : 0) * slip;
+    const Vec3 drag = hold - kFrictionRate * rate * slip;
+    const double size = drag.norm(), most = friction * push;
+    return push * normal + (size > most ? most / size : 1) * drag;
 }
 
 void ReferenceContact::addToCorners(int cell, int number, const Vec3& force,
@@ -135,10 +159,10 @@ void ReferenceContact::addToCorners(int cell, int number, const Vec3& force,
         nodes[kCorners * cell + corner] += weights[corner] * force;
 }
 
-void ReferenceContact::addForces(const State& state, std::vector<Vec3>& force,
-                                 IncidentWatch* watch) const {
+void ReferenceContact::addForces(const State& state, const std::vector<FreeNode>& free,
+                                 std::vector<Vec3>& force, IncidentWatch* watch) const {
     for (const Pair& pair : pairs_) {
-        const Vec3 onA = pairForce(pair, state);
+        const Vec3 onA = pairForce(pair, state, free);
         addToCorners(pair.cellA, pair.sphereA, onA, force);
         addToCorners(pair.cellB, pair.sphereB, -onA, force);
         if (!watch) continue;

@@ -12,8 +12,17 @@ class ReferenceContact {
 
     /// `links`: linkMask() per node, as the bonds of `state` are.
     void search(const State& state, const std::vector<std::uint8_t>& links);
-    /// Adds the forces of the listed pairs to the nodes' (N). watch: may be null.
-    void addForces(const State& state, std::vector<Vec3>& force, IncidentWatch* watch) const;
+    /// What a node would do; an anchored one does nothing.
+    struct FreeNode {
+        Vec3 acceleration{0, 0, 0};  ///< m/s², without contact
+        double inverseContact = 0;   ///< 1/kg: C of core/contact.hpp, its part of it
+    };
+    /// Whether a cell may touch something by the last search.
+    const std::vector<bool>& listed() const { return listed_; }
+    /// Adds the forces of the listed pairs to the nodes' (N). free: per node, or empty where cells
+    /// are not unequal. watch: may be null.
+    void addForces(const State& state, const std::vector<FreeNode>& free, std::vector<Vec3>& force,
+                   IncidentWatch* watch) const;
 
   private:
     struct Sphere {
@@ -30,8 +39,13 @@ class ReferenceContact {
     Sphere sphere(const State& state, int cell, int number) const;
     bool neighbours(int cellA, int cellB) const;
     bool joined(int cellA, int cellB, const std::vector<std::uint8_t>& links) const;
+    struct FreeSphere {
+        Vec3 acceleration{0, 0, 0};
+        double inverseContact = 0;
+    };
+    FreeSphere freeSphere(int cell, int number, const std::vector<FreeNode>& free) const;
     /// Force on A.
-    Vec3 pairForce(const Pair& pair, const State& state) const;
+    Vec3 pairForce(const Pair& pair, const State& state, const std::vector<FreeNode>& free) const;
     void addToCorners(int cell, int number, const Vec3& force, std::vector<Vec3>& nodes) const;
     const ContactProxy& proxyOf(int cell) const { return proxies_[world_.bodyOf(cell)]; }
     double restitution(int cellA, int cellB) const {
@@ -44,6 +58,7 @@ class ReferenceContact {
     std::vector<ContactProxy> proxies_;                               ///< per body
     std::vector<std::vector<std::array<double, kCorners>>> weights_;  ///< per body and sphere
     std::vector<Pair> pairs_;                                         ///< sorted
+    std::vector<bool> listed_;                                        ///< per cell
     std::vector<int> crowd_;                                          ///< N, per cell
 };
 

@@ -110,7 +110,8 @@ ContactPass::ContactPass(const World& world, int columns, Storage storage)
       sphereBits_(gpu::sphereBits(world)),
       defines_{{"SPHERE_BITS", std::to_string(sphereBits_)},
                {"BUFFERS", storage == Storage::Buffers ? "1" : "0"},
-               {"PARTINGS", world.partings().empty() ? "0" : "1"}},
+               {"PARTINGS", world.partings().empty() ? "0" : "1"},
+               {"UNEQUAL", world.unequalCells() ? "1" : "0"}},
       spheres_(countSpheres(world), columns << sphereBits_, 2, "contact spheres"),
       regions_(regionTexels(world), texelColumns(regionTexels(world)), 2, "contact regions"),
       exposed_(countSpheres(world), columns << sphereBits_, 1, "exposed spheres"),
@@ -141,6 +142,10 @@ ContactPass::ContactPass(const World& world, int columns, Storage storage)
         summaries_.emplace(world.cellCount(), columns, 1, "contact summaries");
         summaryProgram_ = summaries_->program(world, "contact/summary.frag", defines_);
         cornerProgram_ = summaries_->program(world, "contact/corners.frag", defines_);
+    }
+    if (world.unequalCells()) {
+        free_.emplace(countSpheres(world), columns << sphereBits_, 1, "free motions");
+        freeProgram_ = program(*free_, "contact/free.frag", defines_);
     }
     forgetHaste();
     for (const gl::Program* program : {&regionProgram_, &gridProgram_})
@@ -188,6 +193,18 @@ void ContactPass::update(std::int64_t step, PassTimer* timer) {
         const WhereAny where(anyExposed_);
         spheres_.fill(listedProgram_, awakeSpheres_);
     }
+    if (free_) findFreeMotions(timer);
+}
+
+/// Bodies that sleep do not move, whatever pushes them.
+void ContactPass::findFreeMotions(PassTimer* timer) {
+    const TimedPass timed(timer, "contact free motions");
+    free_->bind();
+    constexpr GLfloat zero[] = {0, 0, 0, 0};
+    glClearBufferfv(GL_COLOR, 0, zero);
+    const WhereAny where(anyExposed_);
+    free_->fill(freeProgram_, awakeSpheres_);
+    gl::bindTexture(kFreeMotions, GL_TEXTURE_2D_ARRAY, free_->texture());
 }
 
 void ContactPass::search(std::int64_t step, PassTimer* timer) {

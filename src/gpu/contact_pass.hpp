@@ -72,6 +72,7 @@ class ContactPass {
     void shiftGrid(std::int64_t step);
     void fillRegions();
     void findExposed();
+    void findFreeMotions(PassTimer* timer);
     void keepHaste() const;
     void fillGrid();
     void drawHeld(const gl::Program& program) const;
@@ -86,10 +87,11 @@ class ContactPass {
     TexelTarget grid_;                         ///< glsl/contact/grid.glsl
     TexelTarget partners_;                     ///< per sphere: glsl/contact/search.frag
     std::optional<TexelTarget> summaries_;     ///< per cell, where cells have several spheres
+    std::optional<TexelTarget> free_;          ///< glsl/contact/free.frag, where cells are unequal
     TexelTarget hastes_;                       ///< per cell: glsl/contact/haste.frag
     std::optional<TexelTarget> sphereForces_;  ///< unless push() writes to corners at once
     gl::Program sphereProgram_, listedProgram_, regionProgram_, exposedProgram_, gridProgram_,
-        searchProgram_, summaryProgram_, hasteProgram_, pushProgram_, cornerProgram_;
+        searchProgram_, freeProgram_, summaryProgram_, hasteProgram_, pushProgram_, cornerProgram_;
     gl::VertexArray noAttributes_;
     gl::Query anyExposed_;  ///< at the last search; where none is, the rest is left out
 

@@ -8,13 +8,13 @@ namespace sunder::gpu {
 namespace {
 
 constexpr const char* kSamplers[kUnitCount] = {
-    "cells",         "bodies",       "rest",       "nodes",    "bonds",
-    "events",        "links",        "forces",     "stresses", "cumulativeForces",
-    "strengths",     "rectangles",   "chunks",     "records",  "spheres",
-    "regions",       "exposed",      "grid",       "partners", "summaries",
-    "hastes",        "sphereForces", "objects",    "motion",   "sleepers",
-    "touchCounts",   "impulses",     "knownBonds", "pushes",   "pushesBefore",
-    "pushesEarlier", "partings"};
+    "cells",        "bodies",        "rest",         "nodes",      "bonds",
+    "events",       "links",         "forces",       "stresses",   "cumulativeForces",
+    "strengths",    "rectangles",    "chunks",       "records",    "spheres",
+    "regions",      "exposed",       "grid",         "partners",   "summaries",
+    "hastes",       "freeMotions",   "sphereForces", "objects",    "motion",
+    "sleepers",     "touchCounts",   "impulses",     "knownBonds", "pushes",
+    "pushesBefore", "pushesEarlier", "partings"};
 constexpr int kLawBinding = 0;
 
 }  // namespace

@@ -29,6 +29,7 @@ enum Unit {
     kPartners,
     kSummaries,
     kHastes,
+    kFreeMotions,
     kSphereForces,
     kObjects,
     kMotion,
