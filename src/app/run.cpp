@@ -194,6 +194,9 @@ int run(RunOptions options) {
     facts.losses.contacts = solver->droppedContacts();
     facts.losses.haste = solver->contactHaste();
     const State state = solver->state();
+    facts.losses.sunk = sunkThings(world, state);
+    if (const std::string note = sunkNote(facts.losses.sunk); !note.empty())
+        std::cerr << "sunder: note: " << note << '\n';
     if (context) context->check();
     writeResults(options, scene, world, state, facts, held);
     std::cout << reportText(scene, world, state, facts);

@@ -99,6 +99,13 @@ nlohmann::ordered_json outrunJson(const World& world, const std::vector<double>&
     return list;
 }
 
+nlohmann::ordered_json sunkJson(const std::vector<Sunk>& sunk) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Sunk& pair : sunk)
+        list.push_back({{"a", pair.a}, {"b", pair.b}, {"depth", number(pair.depth)}});
+    return list;
+}
+
 }  // namespace
 
 std::string reportJson(const Scene& scene, const World& world, const State& state,
@@ -140,7 +147,9 @@ std::string reportJson(const Scene& scene, const World& world, const State& stat
         {"nan", d.nan},
         {"objects", objectsJson(world, state)},
         {"lost",
-         {{"contacts", facts.losses.contacts}, {"outrun", outrunJson(world, facts.losses.haste)}}},
+         {{"contacts", facts.losses.contacts},
+          {"outrun", outrunJson(world, facts.losses.haste)},
+          {"sunk", sunkJson(facts.losses.sunk)}}},
         {"ms_per_step",
          {{"median", percentile(facts.msPerStep, 0.5)},
           {"p95", percentile(facts.msPerStep, 0.95)}}},

@@ -5,6 +5,7 @@
 
 #include "app/incident_tally.hpp"
 #include "core/diagnostics.hpp"
+#include "core/sunk.hpp"
 #include "scene/scene.hpp"
 
 namespace sunder::app {
@@ -21,6 +22,7 @@ struct RunFacts {
     struct {
         std::int64_t contacts = 0;  ///< Solver::droppedContacts()
         std::vector<double> haste;  ///< Solver::contactHaste()
+        std::vector<Sunk> sunk;     ///< at the end
     } losses;                       ///< what the solver had to leave out
 };
 

@@ -186,6 +186,38 @@ TEST_CASE("App: a stiffness that the step does not carry is told on stderr and i
     CHECK(finer[0].at("limited_to").get<double>() == Approx(4 * limit));
 }
 
+TEST_CASE("App: what could not be carried is told on stderr and in the report") {
+    const Workplace place;
+    // A box of 1,000 kg on nine cells of 0.1 kg, which alone push it up.
+    place.write("wall.toml", R"([material.foam]
+density = 100
+young_modulus = 1e10
+fracture = "none"
+[[body]]
+name = "cushion"
+material = "foam"
+size = [0.3, 0.3, 0.3]
+cells = [3, 3, 3]
+[[object]]
+name = "safe"
+shape = "box"
+size = [0.3, 0.3, 0.3]
+mass = 1000
+position = [0, 0.45, 0]
+)");
+    const Result result = place.run({"run", "wall.toml", "--solver", "cpu", "--frames", "60",
+                                     "--frames-png", "0", "--json", "wall.json"},
+                                    kNoGl);
+    REQUIRE(result.exitCode == 0);
+    CHECK(contains(result.err, "'cushion' and 'safe' are in each other by "));
+    const json sunk = place.readJson("wall.json").at("lost").at("sunk");
+    REQUIRE(sunk.size() == 1);
+    CHECK(sunk[0].at("a") == "cushion");
+    CHECK(sunk[0].at("b") == "safe");
+    CHECK(sunk[0].at("depth") > 0.0);
+    CHECK(place.readJson("wall.json").at("lost").at("outrun").empty());
+}
+
 TEST_CASE("App: --state is a .vtu with every point, cell and array it promises") {
     const Workplace place;
     place.write("wall.toml", scenes::kBreaking);
