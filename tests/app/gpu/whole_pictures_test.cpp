@@ -27,7 +27,7 @@ TEST_CASE("App: killed while it draws, every picture is whole and there is no vi
     for (int round = 0; round < 4; ++round) {
         const Workplace place;
         place.write("ok.toml", scenes::kFalling);
-        REQUIRE(place.runAndKill(arguments, static_cast<int>(random() % 400), ".png"));
+        REQUIRE(place.runAndKill(arguments, static_cast<int>(random() % 400), "/frame_0001.png"));
         for (const std::string& name : place.contents()) {
             INFO(name);
             CHECK(name != "a.mp4");
