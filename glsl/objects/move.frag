@@ -18,7 +18,7 @@ int self;
 ObjectRecord record;
 ObjectMotion state;
 vec3 linear, angular;
-// N·s, of others than cells that press: sums, and those of their components' sizes.
+// N·s, of objects and barriers that press: sums, and those of their components' sizes.
 struct Pressing {
     vec3 sum, sizes;
 };
@@ -48,33 +48,36 @@ void meet(Touch touch, vec3 velocity, int other, bool own, float restitution, fl
     add(stopping, (own ? -part : part) * touch.normal);
 }
 
-// Holds what moves to `next` on its chain; whether it was taut.
-bool hang(float share, inout vec3 velocity, inout vec3 next) {
+// Holds what moves to `next` on its chain; whether it was taut. pull: its impulse, N·s.
+bool hang(float share, inout vec3 velocity, inout vec3 next, out vec3 pull) {
     vec3 along = next - record.hungFrom.xyz;
     float chain = record.surface.w;
+    pull = vec3(0.0);
     if (chain <= 0.0 || length(along) <= chain) return false;
     vec3 outward = normalize(along);
     float taken = max(0.0, dot(velocity, outward));
     velocity -= taken * outward;
     next = record.hungFrom.xyz + chain * outward;
-    vec3 pull = -taken / (share * record.inertia.w) * outward;
-    add(pressing, pull);
-    add(stopping, pull);
+    pull = -taken / (share * record.inertia.w) * outward;
     return true;
 }
 
-// kg.
-float squeeze(Pressing p, vec3 fromCells) {
-    vec3 cancelled = 0.5 * (p.sizes + abs(fromCells) - abs(p.sum + fromCells));
-    return max(cancelled.x, max(cancelled.y, cancelled.z)) / (stepSize * 9.81);
+float against(Pressing p, vec3 other) {
+    vec3 cancelled = 0.5 * (p.sizes + abs(other) - abs(p.sum + other));
+    return max(cancelled.x, max(cancelled.y, cancelled.z));
 }
 
-float loadAfter(vec3 fromCells) {
+// kg.
+float squeeze(Pressing p, vec3 fromCells, vec3 fromChain) {
+    return max(against(p, fromCells), against(p, fromChain)) / (stepSize * 9.81);
+}
+
+float loadAfter(vec3 fromCells, vec3 fromChain) {
     float load = state.memory.x;
     float kept = exp(-stepSize / (pressing.sizes != vec3(0.0) ? kLoadTime : kUnloadTime));
-    float following = mix(squeeze(pressing, fromCells), load, kept);
+    float following = mix(squeeze(pressing, fromCells, fromChain), load, kept);
     float growing = exp(stepSize / kGrowthTime) * max(load, 1.0 / record.inertia.w);
-    return min(heaviest, max(following, min(growing, squeeze(stopping, fromCells))));
+    return min(heaviest, max(following, min(growing, squeeze(stopping, fromCells, fromChain))));
 }
 
 void main() {
@@ -91,7 +94,8 @@ void main() {
         vec3 velocity = kept * state.velocity.xyz + share * (stepSize * gravity + record.inertia.w * linear);
         vec3 momentum = kept * state.angularMomentum.xyz + share * angular;
         vec3 next = state.position.xyz + stepSize * velocity;
-        bool hung = hang(share, velocity, next);
+        vec3 fromChain;
+        bool hung = hang(share, velocity, next, fromChain);
         float energy = kept * kept * state.angularMomentum.w;
         if (angular != vec3(0.0)) energy = spinEnergy(record, state.orientation, momentum);
         state.orientation = turnedFreely(record, state.orientation, momentum, stepSize, energy);
@@ -106,7 +110,7 @@ void main() {
             fastest = max(fastest, state.memory.y);
             had |= int(state.memory.z);
         }
-        state.memory = vec4(loadAfter(fromCells), fastest, float(had), 0.0);
+        state.memory = vec4(loadAfter(fromCells, fromChain), fastest, float(had), 0.0);
         // What weighs more from now on has no more momentum for it.
         float lighter = min(1.0, loadShare(record, state) / share);
         state.velocity.xyz *= lighter;

@@ -142,9 +142,10 @@ double loadShare(const Object& object, const ObjectState& state) {
 
 double loadAfter(const Object& object, double load, const TouchSum& sum, double step, double most) {
     const auto squeeze = [&](const TouchSum::Pressing& p) {
-        const Vec3 cancelled =
-            0.5 * (p.sizes + sum.cells.cwiseAbs() - (p.sum + sum.cells).cwiseAbs());
-        return cancelled.maxCoeff() / (step * kStandardGravity);
+        const auto against = [&](const Vec3& q) {
+            return (0.5 * (p.sizes + q.cwiseAbs() - (p.sum + q).cwiseAbs())).maxCoeff();
+        };
+        return std::max(against(sum.cells), against(sum.chain)) / (step * kStandardGravity);
     };
     const bool pressed = !sum.pressing.sizes.isZero(0);
     const double kept = std::exp(-step / (pressed ? kLoadTime : kUnloadTime));

@@ -41,17 +41,19 @@ namespace sunder {
 /// to its motion and spin; gravity goes on pulling at m. Squeezed means: touches whose impulses
 /// cancel, along one of the world's axes a,
 ///
-///   squeeze(p) = max_a ½·(Σ|p_a| + |Σp_cells,a| − |Σp_a|)/(h·g₀),  g₀ = 9.81 m/s²
+///   squeeze(p) = max_a ½·(Σ|p_a| + |q_a| − |Σp_a + q_a|)/(h·g₀),  g₀ = 9.81 m/s²
 ///
-/// over objects, barriers and a chain, cells all together; hits, which approach faster than
-/// kPressingSpeed, do not count, so that what is hit where it stands flies off as light as it is.
+/// over objects and barriers, q from all cells together or from a chain, whichever squeezes more
+/// (between chain and cells hangs a ball that breaks a wall, and that has no more to it than its
+/// mass); hits, which approach faster than kPressingSpeed, do not count, so that what is hit where
+/// it stands flies off as light as it is.
 /// The load follows squeeze(p) within kLoadTime. Within kGrowthTime it grows to what the impulses
 /// that stop an approach, at most M·|v·n|, squeeze: were it to follow an overlap so fast, which
 /// presses the harder the larger M is, it would drive a stack to swing. For the same reason loaded
 /// objects part slowly: an overlap with another object or a barrier counts as max(m/m',
-/// kLoadedDepth) of itself. Where nothing but cells touches the object, the load fades within
-/// kUnloadTime. What grows heavier keeps its momentum m'·v and becomes slower, so a changing load
-/// never adds energy.
+/// kLoadedDepth) of itself. Where neither objects nor barriers touch the object, the load fades
+/// within kUnloadTime. What grows heavier keeps its momentum m'·v and becomes slower, so a changing
+/// load never adds energy.
 inline constexpr double kBounceSpeed = 0.3;  ///< m/s
 inline constexpr int kProjections = 6;
 inline constexpr int kAdvances = 8;
@@ -134,7 +136,8 @@ double loadShare(const Object& object, const ObjectState& state);
 struct TouchSum {
     Vec3 all{0, 0, 0};
     Vec3 cells{0, 0, 0};
-    /// Of others than cells that press: sums, and those of their components' sizes.
+    Vec3 chain{0, 0, 0};
+    /// Of objects and barriers that press: sums, and those of their components' sizes.
     struct Pressing {
         Vec3 sum{0, 0, 0}, sizes{0, 0, 0};
         void add(const Vec3& p) {

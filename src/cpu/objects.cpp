@@ -353,9 +353,7 @@ void Objects::move(int index, const Impulse& given) {
             const double taken = std::max(0.0, state.velocity.dot(outward));
             state.velocity -= taken * outward;
             next = object.hungFrom + object.chain * outward;
-            const Vec3 pull = -taken / (share * object.inverseMass) * outward;
-            sum.pressing.add(pull);
-            sum.stopping.add(pull);
+            sum.chain = -taken / (share * object.inverseMass) * outward;
             unrest.hung = true;
         }
     }

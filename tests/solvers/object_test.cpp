@@ -270,6 +270,28 @@ TEST_CASE("what an object carried is forgotten once it is free") {
     }
 }
 
+TEST_CASE("a ball on a chain hits a wall with its mass and no more") {
+    WorldDescription d = block({6, 6, 1}, loadMaterial("brick"));
+    d.bodies[0].anchors = {Side::Left, Side::Right};
+    d.gravity = {0, -9.81, 0};
+    d.contact = true;
+    // At the lowest point of its swing, a centimetre in front of the wall.
+    d.objects = {ball(0.15, 100, {0, 0.3, 0.21}, {0, 0, -6})};
+    d.objects[0].hungFrom = Vec3(0, 2.3, 0.21);
+    const World world(d);
+    for (const SolverUnderTest& under : touchingSolvers()) {
+        INFO(under.name);
+        const auto solver = under.make(world);
+        for (int i = 0; i < 40; ++i) {
+            solver->advance(5);
+            // The wall's friction pulls at the chain, but nothing stands on the ball.
+            CHECK(solver->state().objects[0].load == 0);
+        }
+        // It has hit.
+        CHECK(solver->state().objects[0].velocity[2] > -5);
+    }
+}
+
 TEST_CASE("every solver's objects push as the reference's") {
     WorldDescription d = block({6, 6, 2}, softElastic());
     d.materials[0].restitution = 0.4;
