@@ -8,9 +8,9 @@ namespace sunder {
 
 /// The search for the state of rest of a group of things that stand: dynamic relaxation with
 /// kinetic damping (Cundall 1976; Barnes 1999) on a copy of the group in which nothing breaks.
-/// Whenever its kinetic energy has passed a maximum it is near equilibrium, and is stopped. The copy
-/// is advanced by CpuSolver, so that contact, barriers and large deformations are the simulation's
-/// own.
+/// Whenever its kinetic energy has passed a maximum it is near equilibrium, and is stopped. The
+/// copy is advanced by CpuSolver, so that contact, barriers and large deformations are the
+/// simulation's own.
 class Relaxation {
   public:
     enum class Outcome {

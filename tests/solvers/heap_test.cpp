@@ -73,6 +73,7 @@ TEST_CASE("a broken wall falls into a heap that comes to rest") {
     const int pieces = findPieces(world, start).count;
     REQUIRE(pieces > 80);
     for (const SolverUnderTest& under : touchingSolvers()) {
+        if (under.name == "auto") continue;  // it is cpu or gather here
         INFO(under.name);
         const auto solver = under.make(world);
         solver->setState(start);
@@ -130,6 +131,7 @@ TEST_CASE("long cells pile up and come to rest as well") {
     d.bodies[0].size = {0.8, 1.2, 0.2};
     const World world(d);
     for (const SolverUnderTest& under : touchingSolvers()) {
+        if (under.name == "auto") continue;
         INFO(under.name);
         const auto solver = under.make(world);
         solver->setState(looseState(world));

@@ -195,7 +195,7 @@ TEST_CASE("Every scene can be opened from the list", "[viewer]") {
     viewer.quit();
 }
 
-TEST_CASE("A minute of clicks and keys at random", "[viewer]") {
+TEST_CASE("Half a minute of clicks and keys at random", "[viewer]") {
     std::mt19937 random(20240607);
     const auto below = [&](std::size_t count) { return static_cast<int>(random() % count); };
     const std::vector<std::string> keys{
@@ -209,7 +209,7 @@ TEST_CASE("A minute of clicks and keys at random", "[viewer]") {
         ViewerUnderTest viewer(screen, {"wood", "--size", "1100x700", "--solver", solver});
         const auto start = std::chrono::steady_clock::now();
         int actions = 0;
-        while (std::chrono::steady_clock::now() - start < std::chrono::seconds(30)) {
+        while (std::chrono::steady_clock::now() - start < std::chrono::seconds(15)) {
             const std::string with = held[below(held.size())];
             const auto holding = [&](const std::string& act) {
                 return with.empty() ? act : "keydown " + with + " " + act + " keyup " + with;
@@ -233,7 +233,7 @@ TEST_CASE("A minute of clicks and keys at random", "[viewer]") {
             REQUIRE(viewer.running());
             sleepFor(0.05);
         }
-        CHECK(actions > 50);
+        CHECK(actions > 25);
         // What may have been left open: a text field, a list, a video.
         viewer.key("Escape");
         viewer.keep("80-random-" + solver);
