@@ -9,11 +9,11 @@ const float kSweptWay = 0.1;  // sums of radii
 
 // What the law asks of a cell.
 struct ContactSide {
-    float mass;      // kg, of the cell
-    float damping;   // α
-    float friction;  // μ
-    float radius;    // m
-    float crowd;     // pairs close by
+    float mass;         // kg, of the cell
+    float damping;      // α
+    float friction;     // μ
+    float radius;       // m
+    float crowd;        // pairs close by
     float restitution;  // e
 };
 
