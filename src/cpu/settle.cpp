@@ -133,6 +133,7 @@ class Settling {
                         kBondsPerCell * body.cellCount(), 0.0);
             std::fill_n(start_.state.slowStress.begin() + body.firstCell, body.cellCount(), 0.0);
             groupOf_[index] = -1;
+            std::erase_if(twins_, [index](const Twin& twin) { return twin.body == index; });
         }
         for (const int object : group.objects)
             start_.state.objects[object] = initialState(world_.description().objects[object]);
@@ -174,19 +175,25 @@ class Settling {
 
     // --- what sags onto something that it did not touch ---
 
-    /// Opens groups again that have come to overlap, as one. Returns whether there are any.
+    /// Opens groups again that have come to overlap, as one, and gives up what has come to overlap
+    /// something that has no rest to share. Returns whether any are open. There are fewer settled
+    /// groups after each call that found some, so this ends.
     bool joinColliding() {
         if (!world_.description().contact) return false;
         std::vector<int> joined;
         for (const auto& [a, b] : collidingBodies(world_, start_.state, kOverlap)) {
             if (groupOf_[a] == groupOf_[b]) continue;
+            const bool both = groupOf_[a] >= 0 && groupOf_[b] >= 0;
             for (const int body : {a, b}) {
                 if (groupOf_[body] < 0) continue;
                 const StandingGroup group = settled_[static_cast<std::size_t>(groupOf_[body])];
                 forget(group);
-                joined.insert(joined.end(), group.bodies.begin(), group.bodies.end());
+                if (both)
+                    joined.insert(joined.end(), group.bodies.begin(), group.bodies.end());
+                else
+                    restless_.insert(group.bodies.begin(), group.bodies.end());
             }
-            standing_.joined.push_back({a, b});
+            if (both) standing_.joined.push_back({a, b});
         }
         openWhatHas(joined);
         return !open_.empty();

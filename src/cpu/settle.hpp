@@ -11,7 +11,7 @@ namespace sunder {
 struct Start {
     State state;
     /// Bodies that something carries, but whose state of rest was not found with the work allowed
-    /// for it: their weight may act as an impact.
+    /// for it, or lies within something that has none: their weight may act as an impact.
     std::vector<std::string> restless;
 };
 
