@@ -62,7 +62,8 @@ void main() {
             vec3 stop = vec3(0.0);
 #if UNEQUAL
             vec4 otherFree = texelFetch(freeMotions, ivec3(address, 0), 0);
-            stop = sign_ * (otherFree.xyz - free.xyz) / (free.w + otherFree.w);
+            float inverse_ = free.w + otherFree.w;
+            if (inverse_ > 0.0) stop = sign_ * (otherFree.xyz - free.xyz) / inverse_;  // or neither can move
 #endif
             vec3 way = vec3(0.0);
             float pushSpeed = -1.0;

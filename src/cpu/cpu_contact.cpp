@@ -281,7 +281,8 @@ std::array<float, 3> Contact::pairForce(int a, int b, bool neighbours) const {
 
 std::array<float, 3> Contact::stopOf(int a, int b) const {
     const FreeMotion &freeA = free_[a], &freeB = free_[b];
-    const float mass = 1 / (freeA.inverseContact + freeB.inverseContact);
+    const float inverse = freeA.inverseContact + freeB.inverseContact;
+    const float mass = inverse > 0 ? 1 / inverse : 0;  // 0: neither can move
     std::array<float, 3> stop;
     for (int axis = 0; axis < 3; ++axis)
         stop[axis] = mass * (freeB.acceleration[axis] - freeA.acceleration[axis]);

@@ -135,10 +135,12 @@ Vec3 ReferenceContact::pairForce(const Pair& pair, const State& state,
     }
     Vec3 hold = Vec3::Zero();
     if (!free.empty() && !pair.neighbours && time == 0) {
+        Vec3 stop = Vec3::Zero();
         const FreeSphere freeA = freeSphere(pair.cellA, pair.sphereA, free);
         const FreeSphere freeB = freeSphere(pair.cellB, pair.sphereB, free);
-        const Vec3 stop = (freeB.acceleration - freeA.acceleration) /
-                          (freeA.inverseContact + freeB.inverseContact) / crowd;
+        const double inverse = freeA.inverseContact + freeB.inverseContact;
+        if (inverse > 0)  // or neither can move
+            stop = (freeB.acceleration - freeA.acceleration) / inverse / crowd;
         push = std::max(0.0, push) + kConstraintShare * stop.dot(normal);
         hold = stop - stop.dot(normal) * normal;
     }
