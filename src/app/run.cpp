@@ -167,12 +167,13 @@ int run(RunOptions options) {
     if (!sinks.empty())
         painter.emplace(scene, world, *context, *solver, *buffers, settings, wallColour(options));
     if (context) context->check();
-    std::optional<HeldSignals> held(std::in_place);
-    const OutputFolder folder(options.out);
-
     for (const std::string& warning : limitWarnings(scene, world))
         std::cerr << "sunder: note: " << warning << '\n';
+    // Before signals are held: what interrupts it finds nothing to be finished.
     solver->setState(startOf(scene, world));
+
+    std::optional<HeldSignals> held(std::in_place);
+    const OutputFolder folder(options.out);
     std::string problem;
     try {
         play(options, scene.name, *solver, incidents, painter ? &*painter : nullptr, sinks, facts);
