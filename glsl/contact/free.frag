@@ -8,12 +8,10 @@
 uniform sampler2D forces;  // N, of elements; one texel per node
 
 vec3 forceOn(int cell, int corner) { return texelFetch(forces, texelAddress(8 * cell + corner), 0).xyz; }
-vec4 inverseMassesOf(int cell, int four) { return texelFetch(links, SUNDER_LINK_TEXELS * cell + 1 + four); }
 #else
 uniform sampler2DArray forces;  // N, of elements; one layer per corner
 
 vec3 forceOn(int cell, int corner) { return texelFetch(forces, ivec3(texelAddress(cell), corner), 0).xyz; }
-vec4 inverseMassesOf(int cell, int four) { return texelFetch(links, ivec3(texelAddress(cell), 1 + four), 0); }
 #endif
 uniform sampler2DArray partners;   // contact/search.frag
 uniform sampler2DArray summaries;  // of that, layer 0, per cell

@@ -117,4 +117,18 @@ RestIslands::Touches restTouches(const World& world, std::vector<RestBox> boxes,
     return touches;
 }
 
+std::vector<int> settleTouching(RestIslands& islands, const World& world,
+                                const std::vector<RestIslands::Status>& status,
+                                const std::function<void(std::vector<RestBox>&)>& addBodyBoxes,
+                                const std::vector<ObjectState>& objects) {
+    using Status = RestIslands::Status;
+    if (std::count(status.begin(), status.end(), Status::Ready) == 0) return {};
+    std::vector<RestBox> boxes;
+    addBodyBoxes(boxes);
+    for (int object = 0; object < static_cast<int>(objects.size()); ++object)
+        if (status[memberOfObject(world, object)] != Status::Apart)
+            boxes.push_back(restBoxOf(world, object, objects[object]));
+    return islands.settle(status, restTouches(world, std::move(boxes), objects));
+}
+
 }  // namespace sunder

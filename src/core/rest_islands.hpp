@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -53,6 +54,13 @@ inline constexpr int kCellsPerRestBox = 16;
 /// cell that is pressed flat by a tenth of an edge.
 double restReach(const Body& body);
 RestBox restBoxOf(const World& world, int object, const ObjectState& state);
+
+/// RestIslands::settle(), with what touches found out where somebody is ready. addBodyBoxes: adds
+/// the boxes of the bodies that are not Apart.
+std::vector<int> settleTouching(RestIslands& islands, const World& world,
+                                const std::vector<RestIslands::Status>& status,
+                                const std::function<void(std::vector<RestBox>&)>& addBodyBoxes,
+                                const std::vector<ObjectState>& objects);
 
 /// Pairs of members some of whose boxes meet, each once. A ball meets an object where their
 /// surfaces do.

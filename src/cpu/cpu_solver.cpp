@@ -305,17 +305,13 @@ void CpuSolver::rest() {
                                          : Status::Restless);
     for (int object = 0; object < static_cast<int>(world_.objects().size()); ++object)
         status.push_back(runner.objects->restStatus(object));
-    if (std::count(status.begin(), status.end(), Status::Ready) == 0) return;
-    std::vector<RestBox> boxes;
-    for (const auto& run : bodies_)
-        if (run->held) run->addRestBoxes(boxes);
-    for (int object = 0; object < static_cast<int>(world_.objects().size()); ++object)
-        if (status[memberOfObject(world_, object)] != Status::Apart)
-            boxes.push_back(restBoxOf(world_, object, runner.objects->states()[object]));
-    const auto touches =
-        restTouches(world_, std::move(boxes),
-                    runner.objects ? runner.objects->states() : std::vector<ObjectState>{});
-    for (const int member : runner.rest->settle(status, touches))
+    const auto addBoxes = [&](std::vector<RestBox>& boxes) {
+        for (const auto& run : bodies_)
+            if (run->held) run->addRestBoxes(boxes);
+    };
+    const std::vector<ObjectState> none;
+    for (const int member : settleTouching(*runner.rest, world_, status, addBoxes,
+                                           runner.objects ? runner.objects->states() : none))
         if (const int object = member - memberOfObject(world_, 0); object >= 0)
             runner.objects->fallAsleep(object);
         else

@@ -171,29 +171,33 @@ void ReferenceSolver::updateElements(bool fracture) {
     }
 }
 
+ReferenceSolver::NodeGroup ReferenceSolver::groupOf(int node) const {
+    NodeGroup group;
+    // The same order for every copy of the lattice point.
+    for (int octant = 0; octant < 8; ++octant) {
+        if (!(links_[node] >> octant & 1)) continue;
+        const int cell = cellInOctant(world_, node / kCorners, node % kCorners, octant);
+        const int member = kCorners * cell + (octant ^ 7);
+        group.force += force_[member];
+        group.mass += world_.nodeMass(member);
+        group.anchored |= world_.anchored(member);
+        if (contact_) group.listed += contact_->listed()[cell];
+    }
+    return group;
+}
+
 /// What nodes would do without contact, where that matters to it.
 std::vector<ReferenceContact::FreeNode> ReferenceSolver::freeNodes() const {
     std::vector<ReferenceContact::FreeNode> nodes;
     if (!world_.unequalCells()) return nodes;
     nodes.resize(static_cast<std::size_t>(world_.nodeCount()));
     for (int node = 0; node < world_.nodeCount(); ++node) {
-        const int cell = node / kCorners, corner = node % kCorners;
+        const int cell = node / kCorners;
         if (!world_.present(cell)) continue;
-        Vec3 force = Vec3::Zero();
-        double mass = 0, listed = 0;
-        bool anchored = false;
-        for (int octant = 0; octant < 8; ++octant) {
-            if (!(links_[node] >> octant & 1)) continue;
-            const int other = cellInOctant(world_, cell, corner, octant);
-            const int member = kCorners * other + (octant ^ 7);
-            force += force_[member];
-            mass += world_.nodeMass(member);
-            anchored |= world_.anchored(member);
-            listed += contact_->listed()[other];
-        }
-        if (anchored) continue;
+        const NodeGroup group = groupOf(node);
+        if (group.anchored) continue;
         const Vec3& gravity = world_.bodies()[world_.bodyOf(cell)].gravity;
-        nodes[node] = {force / mass + gravity, listed / (kCorners * mass)};
+        nodes[node] = {group.force / group.mass + gravity, group.listed / (kCorners * group.mass)};
     }
     return nodes;
 }
@@ -216,27 +220,17 @@ void ReferenceSolver::updateNodes() {
         for (const int node : eventNodes_[i]) eventAcceleration_[node] += acceleration;
     }
     for (int node = 0; node < world_.nodeCount(); ++node) {
-        const int cell = node / kCorners, corner = node % kCorners;
+        const int cell = node / kCorners;
         if (!world_.present(cell)) continue;
-        Vec3 force = Vec3::Zero();
-        double mass = 0;
-        bool anchored = false;
-        for (int octant = 0; octant < 8;
-             ++octant) {  // the same order for every copy of the lattice point
-            if (!(links_[node] >> octant & 1)) continue;
-            const int member = kCorners * cellInOctant(world_, cell, corner, octant) + (octant ^ 7);
-            force += force_[member];
-            mass += world_.nodeMass(member);
-            anchored |= world_.anchored(member);
-        }
+        const NodeGroup group = groupOf(node);
         Vec3 &u = state_.displacement[node], &v = state_.velocity[node];
-        if (anchored) {
+        if (group.anchored) {
             v.setZero();
             continue;
         }
         const Body& body = world_.bodies()[world_.bodyOf(cell)];
         v = v * std::exp(-body.drag * h) +
-            h * (force / mass + body.gravity + eventAcceleration_[node]);
+            h * (group.force / group.mass + body.gravity + eventAcceleration_[node]);
         Vec3 next = u + h * v;
         const Vec3 rest = world_.restPosition(node);
         for (const Barrier& barrier : barriers_) {

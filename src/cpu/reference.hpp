@@ -41,6 +41,14 @@ class ReferenceSolver : public Solver {
         Mat3 F, rate;
     };
     Deformation deformationOf(const Element&) const;
+    /// What hangs together with a node, itself among it.
+    struct NodeGroup {
+        Vec3 force{0, 0, 0};  ///< N
+        double mass = 0;      ///< kg
+        bool anchored = false;
+        int listed = 0;  ///< of its cells, those that may touch something
+    };
+    NodeGroup groupOf(int node) const;
     std::vector<ReferenceContact::FreeNode> freeNodes() const;
     void pushObjects();
     void updateNodes();

@@ -382,17 +382,14 @@ void GatherSolver::rest() {
                                                 : Status::Restless);
     for (int object = 0; object < objectCount(); ++object)
         status.push_back(objects_->restStatus(object));
-    if (std::count(status.begin(), status.end(), Status::Ready) == 0) return;
-    std::vector<RestBox> boxes;
-    for (const RestMonitor::Chunk& chunk : monitor_.chunks())
-        if (status[chunk.box.member] != Status::Apart) boxes.push_back(chunk.box);
-    for (int object = 0; object < objectCount(); ++object)
-        if (status[memberOfObject(world_, object)] != Status::Apart)
-            boxes.push_back(restBoxOf(world_, object, objects_->known()[object]));
-    const auto touches = restTouches(world_, std::move(boxes),
-                                     objects_ ? objects_->known() : std::vector<ObjectState>{});
+    const auto addBoxes = [&](std::vector<RestBox>& boxes) {
+        for (const RestMonitor::Chunk& chunk : monitor_.chunks())
+            if (status[chunk.box.member] != Status::Apart) boxes.push_back(chunk.box);
+    };
     std::vector<int> bodies, objects;
-    for (const int member : islands_.settle(status, touches))
+    const std::vector<ObjectState> none;
+    for (const int member :
+         settleTouching(islands_, world_, status, addBoxes, objects_ ? objects_->known() : none))
         if (const int object = member - memberOfObject(world_, 0); object >= 0)
             objects.push_back(object);
         else
