@@ -39,11 +39,13 @@ is_configured() {
         ! grep -sqxE 'BUILD_TESTING:[A-Z]*=(OFF|NO|0|FALSE)' "$root/build/CMakeCache.txt"
 }
 
-# build TARGET: Ninja repeats CMake and compiles only where something changed.
+# build TARGET: Ninja repeats CMake and compiles only where something changed. In CI warnings are errors.
 build() {
     if ! is_configured; then
         local preset=default
-        if [[ -n ${VCPKG_ROOT-} ]] && ! command -v apt-get >/dev/null; then
+        if [[ -n ${CI-} ]]; then
+            preset=developer
+        elif [[ -n ${VCPKG_ROOT-} ]] && ! command -v apt-get >/dev/null; then
             preset=vcpkg
         fi
         (cd "$root" && cmake --fresh --preset "$preset" -B build)

@@ -24,13 +24,14 @@ const std::vector<SolverInfo>& solvers() {
     return known;
 }
 
-const SolverInfo& findSolver(const std::string& name, const std::string& option) {
+const SolverInfo& findSolver(std::string_view name, std::string_view option) {
     std::string names;
     for (const SolverInfo& solver : solvers()) {
         if (solver.name == name) return solver;
         names += (names.empty() ? "" : ", ") + solver.name;
     }
-    throw InputError(option + ": there is no solver '" + name + "'; known: " + names);
+    throw InputError(std::string(option) + ": there is no solver '" + std::string(name) +
+                     "'; known: " + names);
 }
 
 std::unique_ptr<Solver> makeSolver(const SolverInfo& info, const World& world,

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gpu/world_buffers.hpp"
@@ -16,7 +17,7 @@ struct SolverInfo {
 
 const std::vector<SolverInfo>& solvers();
 /// Throws InputError listing the known ones, on behalf of a command line's `option`.
-const SolverInfo& findSolver(const std::string& name, const std::string& option = "--solver");
+const SolverInfo& findSolver(std::string_view name, std::string_view option = "--solver");
 
 /// `world` and `buffers` must outlive the solver; `buffers` may be null for a CPU solver. `threads`
 /// is for threaded ones; 0: one per core.
