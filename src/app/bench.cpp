@@ -11,6 +11,7 @@
 #include "app/bench_table.hpp"
 #include "app/commands.hpp"
 #include "app/machine.hpp"
+#include "app/number_check.hpp"
 #include "app/output_path.hpp"
 #include "files/write_file.hpp"
 #include "gl/context.hpp"
@@ -267,18 +268,21 @@ void addBench(CLI::App& app, Action& chosen) {
         ->delimiter(',')
         ->type_name("A,B,...");
     command
-        ->add_option("--threads", options->threads,
-                     "of solvers that take several: one line for each count (default: 1,all)")
+        ->add_option(
+            "--threads", options->threads,
+            "1 to 1024, of solvers that take several: one line for each count (default: 1,all)")
         ->delimiter(',')
-        ->check(CLI::Range(1, 1024))
+        ->check(wholeNumber(1, 1024))
         ->type_name("1,2,...");
     command
         ->add_option("--walls", options->walls,
-                     "so many copies of the first body, in a grid (default: as in the scene)")
-        ->check(CLI::Range(1, 10000))
+                     "1 to 10000 copies of the first body, in a grid (default: as in the scene)")
+        ->check(wholeNumber(1, 10000))
         ->type_name("N");
-    command->add_option("--repeats", options->repeats, "runs that each median is of (default: 5)")
-        ->check(CLI::Range(1, 1000))
+    command
+        ->add_option("--repeats", options->repeats,
+                     "runs that each median is of, 1 to 1000 (default: 5)")
+        ->check(wholeNumber(1, 1000))
         ->type_name("N");
     command->add_flag("--quick", options->quick, "a rough look, in seconds");
     command->add_option("--json", options->json, "also write all numbers to this file")

@@ -5,6 +5,7 @@
 
 #include "app/bench_table.hpp"
 #include "app/commands.hpp"
+#include "app/number_check.hpp"
 #include "app/output_path.hpp"
 #include "core/types.hpp"
 #include "files/write_file.hpp"
@@ -73,19 +74,6 @@ int compareFiles(const CompareOptions& options) {
     return alike ? kDone : kDifferent;
 }
 
-/// CLI::Range lets nan through.
-CLI::Validator within(int low, int high) {
-    return CLI::Validator(
-        [low, high](std::string& text) {
-            double value = 0;
-            if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high)
-                return std::string();
-            return "'" + text + "' is not a number from " + std::to_string(low) + " to " +
-                   std::to_string(high);
-        },
-        "");
-}
-
 }  // namespace
 
 void addCompare(CLI::App& app, Action& chosen) {
@@ -97,19 +85,19 @@ void addCompare(CLI::App& app, Action& chosen) {
     ComparisonLimits& limits = options->limits;
     command
         ->add_option("--threshold", limits.threshold,
-                     "levels of 255 by which a channel of a pixel may differ")
-        ->check(CLI::Range(0, 255))
+                     "levels, 0 to 255, by which a channel of a pixel may differ")
+        ->check(wholeNumber(0, 255))
         ->capture_default_str();
     command->add_option("--share", limits.share, "share of all pixels that may differ, 0 to 1")
-        ->check(within(0, 1))
+        ->check(number(0, 1))
         ->capture_default_str();
     command
         ->add_option("--window", limits.window,
                      "share of the pixels in any window of 16 x 16 that may differ, 0 to 1")
-        ->check(within(0, 1))
+        ->check(number(0, 1))
         ->capture_default_str();
     command->add_option("--mean", limits.mean, "mean difference allowed, levels, 0 to 255")
-        ->check(within(0, 255))
+        ->check(number(0, 255))
         ->capture_default_str();
     command->add_option("--json", options->json, "write the figures to this file")
         ->type_name("FILE");

@@ -2,9 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
+#include <cstdint>
 #include <tuple>
 
+#include "app/number_check.hpp"
 #include "app/output_folder.hpp"
 #include "app/output_path.hpp"
 #include "app/picture_size.hpp"
@@ -14,15 +15,6 @@
 
 namespace sunder::app {
 namespace {
-
-/// CLI11 alone takes -1 for 2^64 - 1. Says what is wrong, if anything.
-std::string checkSeed(const std::string& text) {
-    std::uint64_t seed = 0;
-    const char* end = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), end, seed);
-    if (result.ec == std::errc() && result.ptr == end) return {};
-    return "'" + text + "' is not a whole number from 0 to 18446744073709551615";
-}
 
 /// As the command line calls them.
 template <class Choice, std::size_t Count>
@@ -47,7 +39,7 @@ void addPictureOptions(CLI::App& command, RunOptions& options) {
     command
         .add_option("--frames-png", options.pngEvery,
                     "a picture every so many frames, and of the last; 0: none")
-        ->check(CLI::Range(0, 1000000))
+        ->check(wholeNumber(0, 1000000))
         ->type_name("EVERY")
         ->capture_default_str();
     command
@@ -99,12 +91,15 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
         ->required()
         ->type_name("SCENE");
     command.add_option("--solver", options.solver, "see: sunder list")->capture_default_str();
-    command.add_option("--frames", options.frames, "how many frames (default: the scene's)")
-        ->check(CLI::Range(1, 1000000));
+    command
+        .add_option("--frames", options.frames,
+                    "how many frames, 1 to 1000000 (default: the scene's)")
+        ->check(wholeNumber(1, 1000000));
     command.add_option("--fps", options.fps, "frames per second of simulated time, 1 to 1000")
+        ->check(number(1, 1000))
         ->capture_default_str();
     command.add_option("--seed", options.seed, "of the strength map (default: the scene's)")
-        ->check(checkSeed, "");
+        ->check(wholeNumber(0, UINT64_MAX));
     command
         .add_option("--out", options.out,
                     "folder for pictures and report.json (default: out/SCENE)")
@@ -116,8 +111,6 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
 }
 
 void checkRunOptions(const RunOptions& options) {
-    if (!(options.fps >= 1 && options.fps <= 1000))  // CLI::Range lets nan through
-        throw InputError("--fps: it must be from 1 to 1000");
     checkRunOutputs(options);
     if (!options.contactSheet.empty() && !options.contactSheet.ends_with(".png"))
         throw InputError("--contact-sheet: '" + options.contactSheet +
