@@ -8,6 +8,7 @@
 
 #include "gl/device_failure.hpp"
 #include "gl/error_name.hpp"
+#include "gl/objects.hpp"
 
 namespace sunder::gl {
 namespace {
@@ -18,12 +19,6 @@ constexpr std::size_t kMaxCollected = 100;
 std::string text(GLenum name) {
     const GLubyte* value = glGetString(name);
     return value ? reinterpret_cast<const char*>(value) : "";
-}
-
-int limit(GLenum name) {
-    GLint value = 0;
-    glGetIntegerv(name, &value);
-    return value;
 }
 
 }  // namespace

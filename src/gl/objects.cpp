@@ -70,12 +70,6 @@ void allocate(const char* what, double bytes, Call call) {
         throw std::runtime_error("OpenGL: " + errorName(error) + " creating the " + what);
 }
 
-GLint limit(GLenum name) {
-    GLint value = 0;
-    glGetIntegerv(name, &value);
-    return value;
-}
-
 /// Sizes of what is alive, by name. Contexts live one at a time and outlive their objects, so names
 /// are unique.
 class Allocations {
@@ -182,6 +176,12 @@ Framebuffer makeFramebuffer() {
     return Framebuffer(id);
 }
 
+int limit(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
 VertexArray makeVertexArray() {
     GLuint id = 0;
     glGenVertexArrays(1, &id);
@@ -202,7 +202,7 @@ Sampler makeSampler() {
 
 Texture makeBufferTexture(const Buffer& buffer, GLenum format, const char* what) {
     const std::size_t texels = buffer.size() / pixelFormat(format).bytes;
-    const GLint most = limit(GL_MAX_TEXTURE_BUFFER_SIZE);
+    const int most = limit(GL_MAX_TEXTURE_BUFFER_SIZE);
     if (texels > static_cast<std::size_t>(most))
         throw InputError("the world is too large for this device: " + std::string(what) +
                          " needs " + std::to_string(texels) + " texels, " + renderer() + " takes " +
@@ -222,7 +222,7 @@ namespace {
 template <class Define>
 Texture makeTexture(GLenum target, int width, int height, int layers, GLenum format,
                     const char* what, Define define) {
-    const GLint most = limit(GL_MAX_TEXTURE_SIZE);
+    const int most = limit(GL_MAX_TEXTURE_SIZE);
     if (width < 1 || height < 1 || width > most || height > most)
         throw InputError("the " + std::string(what) + " would be " + std::to_string(width) + " x " +
                          std::to_string(height) + " texels, " + renderer() + " takes 1 to " +

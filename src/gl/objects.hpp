@@ -94,6 +94,9 @@ Texture makeTexture2D(int width, int height, GLenum format, const char* what);
 /// The same with `layers` layers (a 2D array texture).
 Texture makeTextureArray(int width, int height, int layers, GLenum format, const char* what);
 
+/// What the device allows at most, such as GL_MAX_TEXTURE_SIZE.
+int limit(GLenum name);
+
 /// Binds a texture to a unit, which becomes the active one.
 void bindTexture(int unit, GLenum target, const Texture&);
 

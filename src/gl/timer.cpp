@@ -6,12 +6,14 @@ void deleteQuery(GLuint id) {
     glDeleteQueries(1, &id);
 }
 
+Query makeQuery() {
+    GLuint id = 0;
+    glGenQueries(1, &id);
+    return Query(id);
+}
+
 void Timer::begin() {
-    if (used_ == queries_.size()) {
-        GLuint id = 0;
-        glGenQueries(1, &id);
-        queries_.emplace_back(id);
-    }
+    if (used_ == queries_.size()) queries_.push_back(makeQuery());
     glBeginQuery(GL_TIME_ELAPSED, queries_[used_++].id());
 }
 

@@ -9,6 +9,7 @@ namespace sunder::gl {
 
 void deleteQuery(GLuint);
 using Query = Handle<deleteQuery>;
+Query makeQuery();
 
 /// Measures how long the GPU spends on stretches of its command stream (GL_TIME_ELAPSED). Stretches
 /// do not nest, not even those of two timers. Nothing waits until take().

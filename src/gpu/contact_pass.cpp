@@ -96,12 +96,6 @@ class WhereAny {
     WhereAny& operator=(const WhereAny&) = delete;
 };
 
-gl::Query makeQuery() {
-    GLuint id = 0;
-    glGenQueries(1, &id);
-    return gl::Query(id);
-}
-
 }  // namespace
 
 ContactPass::ContactPass(const World& world, int columns, Storage storage)
@@ -129,7 +123,7 @@ ContactPass::ContactPass(const World& world, int columns, Storage storage)
       searchProgram_(program(partners_, "contact/search.frag", defines_)),
       hasteProgram_(hastes_.program(world, "contact/haste.frag")),
       noAttributes_(gl::makeVertexArray()),
-      anyExposed_(makeQuery()),
+      anyExposed_(gl::makeQuery()),
       awakeSpheres_(world.bodies().size(), "awake spheres"),
       heldSpheres_(world.bodies().size(), "held spheres"),
       awakeCells_(world.bodies().size(), "awake cells") {

@@ -11,12 +11,6 @@ namespace {
 constexpr std::size_t kLeastRoom = 4096;
 constexpr std::int32_t kNobody = (1 << 24) - 1;  ///< glsl/incidents/rank.glsl
 
-gl::Query makeQuery() {
-    GLuint id = 0;
-    glGenQueries(1, &id);
-    return gl::Query(id);
-}
-
 GLuint resultOf(const gl::Query& query) {
     GLuint result = 0;
     glGetQueryObjectuiv(query.id(), GL_QUERY_RESULT, &result);
@@ -43,8 +37,8 @@ IncidentPass::IncidentPass(const World& world, ContactPass::Storage storage, int
     for (Answer& answer : answers_) {
         answer.records =
             gl::Buffer(room_ * sizeof(Record), nullptr, GL_STREAM_READ, "incidents found");
-        answer.written = makeQuery();
-        answer.found = makeQuery();
+        answer.written = gl::makeQuery();
+        answer.found = gl::makeQuery();
     }
     gl::Defines defines = {{"SPHERE_BITS", "0"}, {"BUFFERS", buffers ? "1" : "0"}};
     if (contact) {

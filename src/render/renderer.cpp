@@ -52,20 +52,20 @@ class DrawingState {
     DrawingState& operator=(const DrawingState&) = delete;
 };
 
-/// Objects: one pass per way of drawing.
-struct Objects {
-    ObjectPass depth, shaded, lines;
-
-    Objects(const World& world, const gpu::WorldBuffers& buffers,
-            const gl::VertexArray& noAttributes)
-        : depth(CellPass::Output::Depth, world, buffers, noAttributes),
-          shaded(CellPass::Output::Shaded, world, buffers, noAttributes),
-          lines(CellPass::Output::Lines, world, buffers, noAttributes) {}
-};
-
 }  // namespace
 
 struct Renderer::Impl {
+    /// Objects: one pass per way of drawing.
+    struct Objects {
+        ObjectPass depth, shaded, lines;
+
+        Objects(const World& world, const gpu::WorldBuffers& buffers,
+                const gl::VertexArray& noAttributes)
+            : depth(CellPass::Output::Depth, world, buffers, noAttributes),
+              shaded(CellPass::Output::Shaded, world, buffers, noAttributes),
+              lines(CellPass::Output::Lines, world, buffers, noAttributes) {}
+    };
+
     const World& world;
     const gpu::WorldBuffers& buffers;
     SceneBounds bounds;

@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "scene/limits.hpp"
+#include "scene/names.hpp"
 #include "scene/overlap_reader.hpp"
 #include "scene/wording.hpp"
 
 namespace sunder {
 namespace {
-
-constexpr std::string_view kSides[] = {"left", "right", "bottom", "top", "back", "front"};
 
 std::string triple(const IVec3& v) {
     return "[" + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " + std::to_string(v[2]) +
@@ -41,7 +40,7 @@ void BodyReader::readBody(const TableReader& reader) {
     reader.read("position", body.position, coordinate);
     body.mayOverlap = readOverlap(reader);
     body.where = reader.where("position");
-    for (const std::size_t side : reader.readChoices("anchor", kSides))
+    for (const std::size_t side : reader.readChoices("anchor", kSideNames))
         body.anchors.push_back(static_cast<Side>(side));
     reader.require("material", "a material of this scene, a preset or a .toml file");
     body.material = materialIndex(reader);

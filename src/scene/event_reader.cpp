@@ -1,14 +1,13 @@
 #include "scene/event_reader.hpp"
 
 #include "scene/limits.hpp"
+#include "scene/names.hpp"
 #include "scene/object_reader.hpp"
 #include "scene/wording.hpp"
 
 namespace sunder {
 namespace {
 
-// In the order of EventDescription::Kind; then what happens to objects.
-constexpr std::string_view kKinds[] = {"impulse", "force", "velocity", "throw"};
 constexpr std::size_t kThrow = 3;
 constexpr std::string_view kUnits[] = {"N·s", "N", "m/s"};
 constexpr std::string_view kPushKeys[] = {"body", "point", "radius", "vector", "duration"};
@@ -18,7 +17,7 @@ constexpr std::string_view kThrowKeys[] = {"object", "from", "velocity", "spin"}
 void refuse(const TableReader& reader, std::span<const std::string_view> keys, std::size_t kind) {
     for (const std::string_view key : keys)
         if (reader.has(key))
-            reader.fail(key, "an event of kind " + inQuotes(kKinds[kind]) + " has no " +
+            reader.fail(key, "an event of kind " + inQuotes(kEventNames[kind]) + " has no " +
                                  inQuotes(key) + "; leave it out, or change kind");
 }
 
@@ -31,8 +30,8 @@ void readEvents(const TableReader& scene, const BodyReader& bodies, WorldDescrip
     for (const TableReader& reader : scene.tables("event", keys, kMaxEvents)) {
         EventDescription event;
         event.where = reader.where();
-        reader.require("kind", "one of " + joined(kKinds));
-        const std::size_t kind = *reader.readChoice("kind", kKinds);
+        reader.require("kind", "one of " + joined(kEventNames));
+        const std::size_t kind = *reader.readChoice("kind", kEventNames);
         refuse(reader,
                kind == kThrow ? std::span<const std::string_view>(kPushKeys)
                               : std::span<const std::string_view>(kThrowKeys),

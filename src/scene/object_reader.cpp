@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "scene/limits.hpp"
+#include "scene/names.hpp"
 #include "scene/overlap_reader.hpp"
 #include "scene/wording.hpp"
 
@@ -11,19 +12,18 @@ namespace sunder {
 namespace {
 
 // In the order of ObjectShape.
-constexpr std::string_view kShapes[] = {"sphere", "box", "capsule"};
 
 const Range kCoordinate{-kMaxLength, kMaxLength, "m"};
 const Range kSpeed{-1e4, 1e4, "m/s"};
 const Range kSpin{-1e4, 1e4, "rad/s"};
 
 void readShape(const TableReader& reader, ObjectDescription& object) {
-    reader.require("shape", "one of " + joined(kShapes));
-    object.shape = static_cast<ObjectShape>(*reader.readChoice("shape", kShapes));
+    reader.require("shape", "one of " + joined(kShapeNames));
+    object.shape = static_cast<ObjectShape>(*reader.readChoice("shape", kShapeNames));
     const Range length{1e-3, 1e3, "m"};
     const auto refuse = [&](std::string_view key, std::string_view instead) {
         if (reader.has(key))
-            reader.fail(key, "a " + std::string(kShapes[static_cast<int>(object.shape)]) +
+            reader.fail(key, "a " + std::string(kShapeNames[static_cast<int>(object.shape)]) +
                                  " has no " + std::string(key) + "; give " + std::string(instead));
     };
     if (object.shape == ObjectShape::Box) {

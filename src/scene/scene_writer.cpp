@@ -4,14 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/names.hpp"
 #include "scene/wording.hpp"
 
 namespace sunder {
 namespace {
-
-constexpr std::string_view kSides[] = {"left", "right", "bottom", "top", "back", "front"};
-constexpr std::string_view kEvents[] = {"impulse", "force", "velocity"};
-constexpr std::string_view kShapes[] = {"sphere", "box", "capsule"};
 
 /// TOML wants a digit on both sides of a decimal point; "1e12" and "5" it takes for numbers.
 std::string text(double value) {
@@ -77,7 +74,7 @@ void addBody(Writer& out, const BodyDescription& body, const std::vector<std::st
     out.add("position", body.position);
     std::string anchors;
     for (const Side side : body.anchors)
-        anchors += (anchors.empty() ? "" : ", ") + text(kSides[static_cast<int>(side)]);
+        anchors += (anchors.empty() ? "" : ", ") + text(kSideNames[static_cast<int>(side)]);
     out.addRaw("anchor", "[" + anchors + "]");
     if (body.mayOverlap) out.add("overlap", std::string_view("allow"));
     for (const RegionDescription& region : body.regions) {
@@ -94,7 +91,7 @@ void addBody(Writer& out, const BodyDescription& body, const std::vector<std::st
 void addObject(Writer& out, const ObjectDescription& object) {
     out.heading("[[object]]");
     out.add("name", std::string_view(object.name));
-    out.add("shape", kShapes[static_cast<int>(object.shape)]);
+    out.add("shape", kShapeNames[static_cast<int>(object.shape)]);
     if (object.shape == ObjectShape::Box) {
         out.add("size", Vec3(2 * object.halfSize));
     } else {
@@ -131,7 +128,7 @@ void addEvents(Writer& out, const WorldDescription& world) {
         out.heading("[[event]]");
         out.add("time", event.time);
         out.add("duration", event.duration);
-        out.add("kind", kEvents[static_cast<int>(event.kind)]);
+        out.add("kind", kEventNames[static_cast<int>(event.kind)]);
         out.add("body", std::string_view(world.bodies[event.body].name));
         out.add("point", event.point);
         out.add("radius", event.radius);
