@@ -3,6 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <cstdlib>
 #include <string>
 
 #include "core/types.hpp"
@@ -16,9 +17,24 @@ inline std::string glfwErrorText() {
     return description ? description : "GLFW error " + std::to_string(code);
 }
 
+inline bool isInEnvironment(const char* name) {
+    const char* value = std::getenv(name);
+    return value && *value;
+}
+
+/// Where no Wayland can be, GLFW 3.4 would let libwayland say so on stderr before it tries X11.
+inline void hintPlatform() {
+#if defined(GLFW_PLATFORM_X11) && !defined(_WIN32) && !defined(__APPLE__)
+    if (!isInEnvironment("XDG_RUNTIME_DIR") && !isInEnvironment("WAYLAND_DISPLAY") &&
+        !isInEnvironment("WAYLAND_SOCKET"))
+        glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
+}
+
 /// GLFW, for as long as it lives; one at a time. `advice` ends the sentence of the ContextError.
 struct GlfwLibrary {
     explicit GlfwLibrary(const std::string& advice = {}) {
+        hintPlatform();
         if (!glfwInit()) throw ContextError("no window can be opened: " + glfwErrorText() + advice);
     }
     ~GlfwLibrary() { glfwTerminate(); }
