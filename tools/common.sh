@@ -39,13 +39,12 @@ is_configured() {
         ! grep -sqxE 'BUILD_TESTING:[A-Z]*=(OFF|NO|0|FALSE)' "$root/build/CMakeCache.txt"
 }
 
-# build TARGET: Ninja repeats CMake and compiles only where something changed. In CI warnings are errors.
+# build TARGET: Ninja repeats CMake and compiles only where something changed. SUNDER_PRESET names another preset than `default`
+# for a folder that is not configured yet.
 build() {
     if ! is_configured; then
-        local preset=default
-        if [[ -n ${CI-} ]]; then
-            preset=developer
-        elif [[ -n ${VCPKG_ROOT-} ]] && ! command -v apt-get >/dev/null; then
+        local preset=${SUNDER_PRESET-default}
+        if [[ -n ${VCPKG_ROOT-} ]] && ! command -v apt-get >/dev/null; then
             preset=vcpkg
         fi
         (cd "$root" && cmake --fresh --preset "$preset" -B build)
