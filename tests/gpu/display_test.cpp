@@ -200,7 +200,7 @@ TEST_CASE("the outside of a bent sheet has the normals of what it is bent to", "
 }
 
 TEST_CASE("no background shows through an intact wall, straight or bent, from any side",
-          "[display]") {
+          "[display][long]") {
     for (const char* material : kMaterials) {
         const World world(presetWall(material, 0));
         for (const double far : {0.0, 0.3}) {

@@ -227,7 +227,7 @@ TEST_CASE("On every face of a wall, mortar lies where the bricks that it bounds 
         }
 }
 
-TEST_CASE("What is seen of a material does not hang on how a place is rounded", "[surface]") {
+TEST_CASE("What is seen of a material does not hang on how a place is rounded", "[surface][long]") {
     // Where a wall stands rounds all its places otherwise, and is all that differs: the sun and the
     // sky are far, and there is no ground.
     for (const PresetInfo& preset : materialPresets())

@@ -115,7 +115,7 @@ TEST_CASE("strongly deformed soft elements agree with the reference") {
     }
 }
 
-TEST_CASE("from the same snapshot, one step breaks the same bonds") {
+TEST_CASE("from the same snapshot, one step breaks the same bonds", "[long]") {
     for (const FractureMode mode : {FractureMode::Bond, FractureMode::Cell}) {
         Material first = brittle(), second = brittle();
         first.fracture = second.fracture = mode;

@@ -199,7 +199,7 @@ TEST_CASE("a fresh crack does not explode") {
         }
 }
 
-TEST_CASE("every solver pushes as the reference does") {
+TEST_CASE("every solver pushes as the reference does", "[long]") {
     const std::vector<SolverUnderTest> solvers = touchingSolvers();
     if (solvers.empty()) return;
     WorldDescription cubes = looseWall();

@@ -40,7 +40,7 @@ void checkHeap(const World& world, const State& state) {
 
 }  // namespace
 
-TEST_CASE("a stack of ten cells stands for ten seconds") {
+TEST_CASE("a stack of ten cells stands for ten seconds", "[long]") {
     std::vector<Vec3> places;
     for (int i = 0; i < 10; ++i) places.push_back({0, (i + 0.5) * kEdge, 0});
     Material material = cellMaterial(0.2, 0.6);
@@ -67,7 +67,7 @@ TEST_CASE("a stack of ten cells stands for ten seconds") {
     }
 }
 
-TEST_CASE("a broken wall falls into a heap that comes to rest") {
+TEST_CASE("a broken wall falls into a heap that comes to rest", "[long]") {
     const World world(looseWall());
     const State start = looseState(world);
     const int pieces = findPieces(world, start).count;
@@ -92,7 +92,7 @@ TEST_CASE("a broken wall falls into a heap that comes to rest") {
     }
 }
 
-TEST_CASE("a thousand pieces fall into a heap that comes to rest") {
+TEST_CASE("a thousand pieces fall into a heap that comes to rest", "[long]") {
     WorldDescription d = looseWall();
     d.bodies[0].cells = {10, 10, 10};
     d.bodies[0].size = {1, 1, 1};
@@ -125,7 +125,7 @@ TEST_CASE("a thousand pieces fall into a heap that comes to rest") {
     }
 }
 
-TEST_CASE("long cells pile up and come to rest as well") {
+TEST_CASE("long cells pile up and come to rest as well", "[long]") {
     WorldDescription d = looseWall();
     d.bodies[0].cells = {8, 4, 2};
     d.bodies[0].size = {0.8, 1.2, 0.2};

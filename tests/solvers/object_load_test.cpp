@@ -9,7 +9,8 @@
 
 using namespace sunder;
 
-TEST_CASE("a heavy object stands on a light one, and a tower whose masses double upward") {
+TEST_CASE("a heavy object stands on a light one, and a tower whose masses double upward",
+          "[long]") {
     WorldDescription d = objectsOnly();
     d.ground = true;
     d.gravity = {0, -9.81, 0};

@@ -144,7 +144,7 @@ TEST_CASE("a ball on a chain swings as a pendulum does") {
     }
 }
 
-TEST_CASE("a free spin keeps its angular momentum and its energy") {
+TEST_CASE("a free spin keeps its angular momentum and its energy", "[long]") {
     WorldDescription d = objectsOnly();
     const auto add = [&](const Vec3& size, const Vec3& spin) {
         const double z = 3.0 * static_cast<double>(d.objects.size());
@@ -227,7 +227,7 @@ TEST_CASE("every solver's objects push as the reference's") {
     }
 }
 
-TEST_CASE("a ball of 50 kg gives a free wall what it loses") {
+TEST_CASE("a ball of 50 kg gives a free wall what it loses", "[long]") {
     for (const char* material :
          {"concrete", "brick", "wood", "planks", "glass", "rubber", "wood-thesis", "rubber-thesis"})
         for (const double speed : {5.0, 15.0, 40.0}) {

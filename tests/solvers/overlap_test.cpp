@@ -134,7 +134,7 @@ WorldDescription bodiesInBodies() {
 
 }  // namespace
 
-TEST_CASE("bodies that are in each other part, at no more than the parting speed") {
+TEST_CASE("bodies that are in each other part, at no more than the parting speed", "[long]") {
     for (const double speed : {1.0, 0.25}) {
         WorldDescription d = bodiesInBodies();
         d.partingSpeed = speed;
@@ -214,7 +214,7 @@ TEST_CASE("a body below the ground comes up and rests, whatever its weight") {
     }
 }
 
-TEST_CASE("objects that are in the ground, a wall or each other part gently") {
+TEST_CASE("objects that are in the ground, a wall or each other part gently", "[long]") {
     WorldDescription d = emptyWorld();
     d.ground = true;
     d.room = RoomDescription{{-5, 5}, {-5, 5}, 0.5, 4.0};

@@ -112,7 +112,7 @@ TEST_CASE("a beam that bears its weight does not break under it, at any number o
     CHECK(brokenAfter(cpuSolvers().front(), world, world.initialState(), 600) > 0);
 }
 
-TEST_CASE("what stands, hangs, juts out or leans on others bears its weight") {
+TEST_CASE("what stands, hangs, juts out or leans on others bears its weight", "[long]") {
     const World world(yard());
     const Start start = settledStart(world);
     REQUIRE(start.restless.empty());
@@ -126,7 +126,8 @@ TEST_CASE("what stands, hangs, juts out or leans on others bears its weight") {
     CHECK(brokenAfter(cpuSolvers().front(), world, world.initialState(), kSteps) > 0);
 }
 
-TEST_CASE("a beam breaks under its weight where that exceeds its strength, within a tenth") {
+TEST_CASE("a beam breaks under its weight where that exceeds its strength, within a tenth",
+          "[long]") {
     for (const SolverUnderTest& under : solversUnderTest()) {
         INFO(under.name);
         for (const auto& [unloaded, load] : {std::pair(beam(50), 0.92),

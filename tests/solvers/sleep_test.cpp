@@ -187,7 +187,7 @@ TEST_CASE("nothing stops in the air for being slow a moment") {
     }
 }
 
-TEST_CASE("what rests on something wakes and falls when that leaves") {
+TEST_CASE("what rests on something wakes and falls when that leaves", "[long]") {
     struct Case {
         const char* what;
         WorldDescription world;

@@ -179,7 +179,7 @@ TEST_CASE("a ball breaks a pane of 4 mm and makes a hole, however fast") {
     }
 }
 
-TEST_CASE("nothing passes a pane of any thickness without breaking it") {
+TEST_CASE("nothing passes a pane of any thickness without breaking it", "[long]") {
     struct Case {
         double thickness, speed;  ///< m, m/s
     };

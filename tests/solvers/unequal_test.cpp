@@ -48,7 +48,8 @@ Vec3 faceOf(const World& world, const State& state, int body, bool top) {
 
 }  // namespace
 
-TEST_CASE("a heavy body stands on a light one for ten seconds, to a thousand times its mass") {
+TEST_CASE("a heavy body stands on a light one for ten seconds, to a thousand times its mass",
+          "[long]") {
     for (const double ratio : {30.0, 1000.0}) {
         const World world(twoBlocks(ratio));
         REQUIRE(world.unequalCells());

@@ -132,7 +132,7 @@ std::vector<Outcome> runAll(const std::vector<Case>& cases) {
 
 }  // namespace
 
-TEST_CASE("whatever the start, a wall never explodes") {
+TEST_CASE("whatever the start, a wall never explodes", "[long]") {
     constexpr double youngModuli[] = {1e3, 1e5, 1e7, 1e10}, poissonRatios[] = {0, 0.3, 0.45},
                      framesPerSecond[] = {120, 60, 30, 15};
     std::vector<Case> cases;

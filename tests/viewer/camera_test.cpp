@@ -151,7 +151,7 @@ TEST_CASE("Dragged, turned or driven down, the camera stays above the ground", "
         // What is saved there is above the ground when it is opened, too.
         viewer.click("tab.wall");
         viewer.type("scene_name", "low");
-        REQUIRE(viewer.eventCount("saved_scene") == 1);
+        REQUIRE(eventually([&] { return viewer.eventCount("saved_scene") == 1; }));
         viewer.quit();
     }
     std::vector<std::string> arguments = window;

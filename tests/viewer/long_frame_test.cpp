@@ -148,7 +148,7 @@ TEST_CASE("However long a frame, the wheel turns what is under it, and keys come
     viewer.click("tab.wall");
     viewer.inOneFrame(viewer.moveToWidget("scene_name") + kClick +
                       "key ctrl+a key m key y key minus key w key Return " + scene + " key space");
-    REQUIRE(viewer.eventCount("saved_scene") == 1);
+    REQUIRE(eventually([&] { return viewer.eventCount("saved_scene") == 1; }));
     CHECK_THAT(viewer.events("saved_scene")[0]["path"].get<std::string>(),
                Catch::EndsWith("/my-w.toml"));
     CHECK(viewer.becomes("paused", true));

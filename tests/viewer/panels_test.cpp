@@ -83,12 +83,12 @@ TEST_CASE("A material is changed, tuned and saved, and what is saved runs to the
     viewer.nextEvent("material", changes);
     CHECK(viewer.freshStatus()["time"] >= after["time"]);
     viewer.type("material_name", "mine");
-    REQUIRE(viewer.eventCount("saved_material") == 1);
+    REQUIRE(eventually([&] { return viewer.eventCount("saved_material") == 1; }));
     CHECK(number(viewer.written("mine.toml"), "damping") != 1);
 
     viewer.click("tab.wall");
     viewer.type("scene_name", "scene");
-    REQUIRE(viewer.eventCount("saved_scene") == 1);
+    REQUIRE(eventually([&] { return viewer.eventCount("saved_scene") == 1; }));
     viewer.keep("33-saved");
     // The program reads both back.
     std::ofstream(screen.folder() / "with.toml")
@@ -119,7 +119,7 @@ TEST_CASE("What was changed of a material is typed, taken back, and saved over o
         return viewer.written("mine.toml");
     };
     viewer.type("material_name", "mine");
-    REQUIRE(viewer.eventCount("saved_material") == 1);
+    REQUIRE(eventually([&] { return viewer.eventCount("saved_material") == 1; }));
     const std::string opened = viewer.written("mine.toml");
     const double density = number(opened, "density");
     CHECK(density == 600);
@@ -233,7 +233,7 @@ TEST_CASE("A new wall has the size, the cells and the seed that were asked for",
     CHECK(sceneDifference(before, after) > 0.1);
 
     viewer.type("scene_name", "smaller");
-    REQUIRE(viewer.eventCount("saved_scene") == 1);
+    REQUIRE(eventually([&] { return viewer.eventCount("saved_scene") == 1; }));
     const std::string text = viewer.written("smaller.toml");
     CHECK_THAT(text, Catch::Contains("\nsize = [2, 1.5, 0.2]\n"));
     CHECK_THAT(text, Catch::Contains("\ncells = [20, 15, 2]\n"));

@@ -4,7 +4,8 @@
 #include "catch.hpp"
 #include "image/image.hpp"
 
-TEST_CASE("App: one cell and a bar of 4,000 are simulated on the GPU, all numbers finite") {
+TEST_CASE("App: one cell and a bar of 4,000 are simulated on the GPU, all numbers finite",
+          "[long]") {
     const std::pair<const char*, const char*> walls[] = {
         {"[0.1, 0.1, 0.1]", "[1, 1, 1]"},
         {"[400, 0.1, 0.1]", "[4000, 1, 1]"},
@@ -24,7 +25,8 @@ TEST_CASE("App: one cell and a bar of 4,000 are simulated on the GPU, all number
         }
 }
 
-TEST_CASE("App: two million tetrahedra are simulated and drawn on the GPU, and hang together") {
+TEST_CASE("App: two million tetrahedra are simulated and drawn on the GPU, and hang together",
+          "[long]") {
     const Workplace place;
     place.write("large.toml", scenes::kTwoMillion);
     const Result result = place.run({"run", "large.toml", "--solver", "gather", "--size", "160x90",

@@ -30,7 +30,8 @@ struct SvgVisitor {
 
 }  // namespace
 
-TEST_CASE("App: bench writes numbers of every solver it was asked for, and a plot of them") {
+TEST_CASE("App: bench writes numbers of every solver it was asked for, and a plot of them",
+          "[long]") {
     const Workplace place;
     place.write("wall.toml", scenes::kBreaking);
     const Result result =

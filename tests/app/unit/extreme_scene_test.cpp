@@ -54,7 +54,7 @@ TEST_CASE("App: sizes and numbers of cells that cannot be are one sentence with 
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 // Sanitizers would need a minute for it.
-TEST_CASE("App: two million tetrahedra are simulated on the CPU, and hang together") {
+TEST_CASE("App: two million tetrahedra are simulated on the CPU, and hang together", "[long]") {
     const Workplace place;
     place.write("large.toml", scenes::kTwoMillion);
     const Result result = place.run(
