@@ -13,6 +13,7 @@
 #include "app/machine.hpp"
 #include "app/number_check.hpp"
 #include "app/output_path.hpp"
+#include "app/path_option.hpp"
 #include "files/write_file.hpp"
 #include "gl/context.hpp"
 
@@ -26,7 +27,7 @@ struct BenchOptions {
     std::optional<int> walls;
     std::optional<int> repeats;
     bool quick = false;
-    std::string json, svg;
+    std::filesystem::path json, svg;
 };
 
 BenchLimits limitsFor(const BenchOptions& options) {
@@ -285,11 +286,10 @@ void addBench(CLI::App& app, Action& chosen) {
         ->check(wholeNumber(1, 1000))
         ->type_name("N");
     command->add_flag("--quick", options->quick, "a rough look, in seconds");
-    command->add_option("--json", options->json, "also write all numbers to this file")
+    addPath(*command, "--json", options->json, "also write all numbers to this file")
         ->type_name("FILE");
-    command
-        ->add_option("--svg", options->svg,
-                     "also draw cost and throughput against size into this file")
+    addPath(*command, "--svg", options->svg,
+            "also draw cost and throughput against size into this file")
         ->type_name("FILE");
     command->callback([&chosen, options] { chosen = [options] { return Bench(*options).run(); }; });
 }

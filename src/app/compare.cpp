@@ -7,7 +7,9 @@
 #include "app/commands.hpp"
 #include "app/number_check.hpp"
 #include "app/output_path.hpp"
+#include "app/path_option.hpp"
 #include "core/types.hpp"
+#include "files/utf8_path.hpp"
 #include "files/write_file.hpp"
 #include "image/comparison.hpp"
 
@@ -15,7 +17,7 @@ namespace sunder::app {
 namespace {
 
 struct CompareOptions {
-    std::string first, second, json, difference;
+    std::filesystem::path first, second, json, difference;
     ComparisonLimits limits;
 };
 
@@ -48,9 +50,9 @@ int compareFiles(const CompareOptions& options) {
     checkOutputs({{"--json", options.json}, {"--diff", options.difference}});
     const Image a = readPng(options.first), b = readPng(options.second);
     if (a.width != b.width || a.height != b.height) {
-        std::cout << "different: " << options.first << " has " << a.width << " x " << a.height
-                  << " pixels, " << options.second << " has " << b.width << " x " << b.height
-                  << '\n';
+        std::cout << "different: " << utf8FromPath(options.first) << " has " << a.width << " x "
+                  << a.height << " pixels, " << utf8FromPath(options.second) << " has " << b.width
+                  << " x " << b.height << '\n';
         if (!options.json.empty())
             writeFile(options.json,
                       nlohmann::ordered_json{{"alike", false},
@@ -80,8 +82,8 @@ void addCompare(CLI::App& app, Action& chosen) {
     CLI::App* command = app.add_subcommand(
         "compare", "Whether two pictures are alike: exit code 0, or 1 where they are not");
     auto options = std::make_shared<CompareOptions>();
-    command->add_option("a", options->first, "a picture")->required()->type_name("A.png");
-    command->add_option("b", options->second, "another")->required()->type_name("B.png");
+    addPath(*command, "a", options->first, "a picture")->required()->type_name("A.png");
+    addPath(*command, "b", options->second, "another")->required()->type_name("B.png");
     ComparisonLimits& limits = options->limits;
     command
         ->add_option("--threshold", limits.threshold,
@@ -99,11 +101,9 @@ void addCompare(CLI::App& app, Action& chosen) {
     command->add_option("--mean", limits.mean, "mean difference allowed, levels, 0 to 255")
         ->check(number(0, 255))
         ->capture_default_str();
-    command->add_option("--json", options->json, "write the figures to this file")
-        ->type_name("FILE");
-    command
-        ->add_option("--diff", options->difference,
-                     "write a picture of the differences, times 16, the worst window framed")
+    addPath(*command, "--json", options->json, "write the figures to this file")->type_name("FILE");
+    addPath(*command, "--diff", options->difference,
+            "write a picture of the differences, times 16, the worst window framed")
         ->type_name("FILE.png");
     command->callback(
         [&chosen, options] { chosen = [options] { return compareFiles(*options); }; });

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/sheet_frames.hpp"
+#include "files/utf8_path.hpp"
 #include "files/write_file.hpp"
 #include "image/contact_sheet.hpp"
 #include "image/scaling.hpp"
@@ -53,7 +54,7 @@ class VideoFrames : public FrameSink {
     void finish() override { there_ = video_ && video_->finish(); }
     std::string outcome() const override {
         if (!video_) return "there is no video";
-        return "the video '" + path_.string() + (there_ ? "' ends there" : "' was given up");
+        return "the video '" + utf8FromPath(path_) + (there_ ? "' ends there" : "' was given up");
     }
 
   private:

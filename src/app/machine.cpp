@@ -1,9 +1,10 @@
 #include "app/machine.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <thread>
+
+#include "files/system.hpp"
 
 #ifdef __APPLE__
 #include <sys/sysctl.h>
@@ -17,8 +18,7 @@ namespace {
 
 std::string queryProcessor() {
 #if defined(_WIN32)
-    const char* name = std::getenv("PROCESSOR_IDENTIFIER");
-    return name ? name : "";
+    return environmentVariable("PROCESSOR_IDENTIFIER");
 #elif defined(__APPLE__)
     char name[256] = {};
     std::size_t size = sizeof name - 1;

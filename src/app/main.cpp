@@ -1,9 +1,11 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <new>
 
 #include "app/commands.hpp"
 #include "core/types.hpp"
+#include "files/system.hpp"
 
 namespace {
 
@@ -29,6 +31,7 @@ std::string failureMessage(const CLI::App* app, const CLI::Error& error) {
 
 int main(int argc, char** argv) {
     using namespace sunder;
+    const Console console;
     CLI::App app(
         "Sunder: walls that bend, crack and break, on the CPU and on any GPU with OpenGL 4.1.",
         "sunder");
@@ -42,7 +45,9 @@ int main(int argc, char** argv) {
     app::addInfo(app, chosen);
     app::addList(app, chosen);
     try {
-        app.parse(argc, argv);
+        std::vector<std::string> words = commandLine(argc, argv);
+        std::reverse(words.begin(), words.end());  // so CLI11 takes them
+        app.parse(std::move(words));
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? app::kDone : app::kBadInput;
     }

@@ -3,6 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include "files/folder_claim.hpp"
+
 namespace sunder::app {
 
 /// The folder of --out. It is made where there is none, with those above it, and it is this run's
@@ -18,12 +20,11 @@ class OutputFolder {
     OutputFolder& operator=(const OutputFolder&) = delete;
 
   private:
-    class Claim;
     void make(const std::filesystem::path&);
     void removeEmpty();
 
     std::vector<std::filesystem::path> made_;  ///< outermost first
-    std::unique_ptr<Claim> claim_;
+    std::unique_ptr<FolderClaim> claim_;
 };
 
 }  // namespace sunder::app

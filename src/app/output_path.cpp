@@ -1,6 +1,7 @@
 #include "app/output_path.hpp"
 
 #include "core/types.hpp"
+#include "files/utf8_path.hpp"
 #include "files/write_file.hpp"
 
 namespace sunder::app {
@@ -26,7 +27,7 @@ void checkOutputs(const std::vector<Output>& outputs) {
         for (std::size_t j = 0; j < i; ++j)
             if (sameFile(outputs[i].path, outputs[j].path))
                 throw InputError(outputs[j].option + " and " + outputs[i].option +
-                                 " both write to '" + outputs[i].path.string() +
+                                 " both write to '" + utf8FromPath(outputs[i].path) +
                                  "'; give each a file of its own");
     }
 }

@@ -3,22 +3,8 @@
 #include <cstdio>
 #include <iostream>
 
-#ifdef _WIN32
-#include <io.h>
-#else
-#include <unistd.h>
-#endif
-
 namespace sunder::app {
 namespace {
-
-bool standardErrorIsTerminal() {
-#ifdef _WIN32
-    return _isatty(_fileno(stderr)) != 0;
-#else
-    return isatty(STDERR_FILENO) != 0;
-#endif
-}
 
 constexpr int kBarWidth = 32;
 
@@ -27,16 +13,18 @@ constexpr int kBarWidth = 32;
 Progress::Progress(std::string what, int total)
     : what_(std::move(what)),
       total_(total),
-      terminal_(standardErrorIsTerminal()),
+      terminal_(standardError()),
       start_(std::chrono::steady_clock::now()) {}
 
 Progress::~Progress() {
-    if (terminal_) std::cerr << "\r\x1b[K" << std::flush;
+    if (terminal_ != Terminal::None) show("");
 }
 
 void Progress::update(int done) {
     const auto now = std::chrono::steady_clock::now();
-    if (!terminal_ || (done < total_ && now - last_ < std::chrono::milliseconds(100))) return;
+    if (terminal_ == Terminal::None ||
+        (done < total_ && now - last_ < std::chrono::milliseconds(100)))
+        return;
     last_ = now;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
     const int filled = kBarWidth * done / total_;
@@ -45,7 +33,20 @@ void Progress::update(int done) {
     char text[96];
     std::snprintf(text, sizeof text, "] %d/%d, %.0f s left", done, total_,
                   done ? elapsed * (total_ - done) / done : 0.0);
-    std::cerr << '\r' << what_ << " [" << bar << (done ? text : "]") << "\x1b[K" << std::flush;
+    show(what_ + " [" + bar + (done ? text : "]"));
+}
+
+void Progress::show(const std::string& line) {
+    std::cerr << '\r' << line;
+    if (terminal_ == Terminal::Escapes) {
+        std::cerr << "\x1b[K";
+    } else {
+        // Spaces over what is left of the line before.
+        if (line.size() < shown_) std::cerr << std::string(shown_ - line.size(), ' ');
+        if (line.empty()) std::cerr << '\r';
+        shown_ = line.size();
+    }
+    std::cerr << std::flush;
 }
 
 }  // namespace sunder::app

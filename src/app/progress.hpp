@@ -1,6 +1,9 @@
 #pragma once
 #include <chrono>
+#include <cstddef>
 #include <string>
+
+#include "files/system.hpp"
 
 namespace sunder::app {
 
@@ -13,9 +16,12 @@ class Progress {
     void update(int done);
 
   private:
+    void show(const std::string& line);
+
     std::string what_;
     int total_;
-    bool terminal_;
+    Terminal terminal_;
+    std::size_t shown_ = 0;  ///< bytes of the line on a plain terminal
     std::chrono::steady_clock::time_point start_, last_{};
 };
 

@@ -18,6 +18,7 @@
 #include "core/loss_notes.hpp"
 #include "core/vtu.hpp"
 #include "files/held_signals.hpp"
+#include "files/utf8_path.hpp"
 #include "files/write_file.hpp"
 #include "gl/context.hpp"
 #include "image/image.hpp"
@@ -129,7 +130,7 @@ std::string interruption(const RunFacts& facts,
 void writeResults(const RunOptions& options, const Scene& scene, const World& world,
                   const State& state, const RunFacts& facts, std::optional<HeldSignals>& held) {
     const std::string report = reportJson(scene, world, state, facts);
-    writeFile(fs::path(options.out) / "report.json", report);
+    writeFile(options.out / "report.json", report);
     // A pipe that nobody reads may keep the rest waiting for ever.
     held.reset();
     if (!options.json.empty()) writeFile(options.json, report);
@@ -138,7 +139,7 @@ void writeResults(const RunOptions& options, const Scene& scene, const World& wo
 
 int run(RunOptions options) {
     Scene scene = loadScene(options.scene);
-    if (options.out.empty()) options.out = (fs::path("out") / scene.name).string();
+    if (options.out.empty()) options.out = fs::path("out") / pathFromUtf8(scene.name);
     checkRunOptions(options);
     const SolverInfo& solverInfo = findSolver(options.solver);
     const RenderSettings settings = renderSettings(options);
@@ -202,10 +203,11 @@ int run(RunOptions options) {
     writeResults(options, scene, world, state, facts, held);
     std::cout << reportText(scene, world, state, facts);
     if (options.pngEvery > 0)
-        std::cout << "pictures: " << (fs::path(options.out) / "frame_*.png").string() << '\n';
-    if (!options.contactSheet.empty()) std::cout << "sheet:    " << options.contactSheet << '\n';
-    if (!options.video.empty()) std::cout << "video:    " << options.video << '\n';
-    std::cout << "report:   " << (fs::path(options.out) / "report.json").string() << '\n';
+        std::cout << "pictures: " << utf8FromPath(options.out / "frame_*.png") << '\n';
+    if (!options.contactSheet.empty())
+        std::cout << "sheet:    " << utf8FromPath(options.contactSheet) << '\n';
+    if (!options.video.empty()) std::cout << "video:    " << utf8FromPath(options.video) << '\n';
+    std::cout << "report:   " << utf8FromPath(options.out / "report.json") << '\n';
     return kDone;
 }
 

@@ -8,9 +8,11 @@
 #include "app/number_check.hpp"
 #include "app/output_folder.hpp"
 #include "app/output_path.hpp"
+#include "app/path_option.hpp"
 #include "app/picture_size.hpp"
 #include "app/sheet_frames.hpp"
 #include "files/held_signals.hpp"
+#include "files/utf8_path.hpp"
 #include "files/write_file.hpp"
 
 namespace sunder::app {
@@ -42,13 +44,11 @@ void addPictureOptions(CLI::App& command, RunOptions& options) {
         ->check(wholeNumber(0, 1000000))
         ->type_name("EVERY")
         ->capture_default_str();
-    command
-        .add_option("--video", options.video,
-                    "every frame, by ffmpeg, at --fps; the ending says which kind, such as .mp4")
+    addPath(command, "--video", options.video,
+            "every frame, by ffmpeg, at --fps; the ending says which kind, such as .mp4")
         ->type_name("FILE");
-    CLI::Option* sheet = command
-                             .add_option("--contact-sheet", options.contactSheet,
-                                         "frames side by side in one picture, each with its time")
+    CLI::Option* sheet = addPath(command, "--contact-sheet", options.contactSheet,
+                                 "frames side by side in one picture, each with its time")
                              ->type_name("FILE.png");
     command
         .add_option("--sheet-times", options.sheetTimes,
@@ -81,7 +81,7 @@ void checkRunOutputs(const RunOptions& options) {
                   {"--state", options.state},
                   {"--video", options.video},
                   {"--contact-sheet", options.contactSheet}});
-    checkWritable(std::filesystem::path(options.out) / "report.json");
+    checkWritable(options.out / "report.json");
 }
 
 }  // namespace
@@ -100,20 +100,20 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
         ->capture_default_str();
     command.add_option("--seed", options.seed, "of the strength map (default: the scene's)")
         ->check(wholeNumber(0, UINT64_MAX));
-    command
-        .add_option("--out", options.out,
-                    "folder for pictures and report.json (default: out/SCENE)")
+    addPath(command, "--out", options.out,
+            "folder for pictures and report.json (default: out/SCENE)")
         ->type_name("DIR");
     addPictureOptions(command, options);
-    command.add_option("--state", options.state, "write the last state as .vtu (ParaView)")
+    addPath(command, "--state", options.state, "write the last state as .vtu (ParaView)")
         ->type_name("FILE.vtu");
-    command.add_option("--json", options.json, "also write the report here")->type_name("FILE");
+    addPath(command, "--json", options.json, "also write the report here")->type_name("FILE");
 }
 
 void checkRunOptions(const RunOptions& options) {
     checkRunOutputs(options);
-    if (!options.contactSheet.empty() && !options.contactSheet.ends_with(".png"))
-        throw InputError("--contact-sheet: '" + options.contactSheet +
+    const std::string sheet = utf8FromPath(options.contactSheet);
+    if (!sheet.empty() && !sheet.ends_with(".png"))
+        throw InputError("--contact-sheet: '" + sheet +
                          "' is written as a PNG picture and must end in .png");
 }
 

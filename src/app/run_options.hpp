@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,15 +21,14 @@ struct RunOptions {
     double fps = 60;
     std::optional<std::uint64_t> seed;
     std::string size = "1280x720";
-    std::string out;
+    std::filesystem::path out;
     int pngEvery = 20;
-    std::string video, contactSheet;
+    std::filesystem::path video, contactSheet;
     std::vector<double> sheetTimes;  ///< s
     std::string mesh = "display";
     std::string style = "solid";
     std::string colour = "material";
-    std::string json;
-    std::string state;
+    std::filesystem::path json, state;
 };
 
 /// Adds them to the subcommand; `options` must outlive it.

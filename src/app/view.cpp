@@ -1,4 +1,6 @@
 // sunder view: a scene in a window.
+#include "app/path_option.hpp"
+#include "files/utf8_path.hpp"
 #include "view/viewer.hpp"
 
 #include <CLI/CLI.hpp>
@@ -21,19 +23,16 @@ void addView(CLI::App& app, Action& chosen) {
         ->type_name("SCENE");
     command->add_option("--solver", options->solver, "see: sunder list (default: as last time)");
     command->add_option("--size", *size, "of the window (default: as last time)")->type_name("WxH");
-    command
-        ->add_option("--out", options->folder,
-                     "folder for pictures, videos and files that are saved")
-        ->capture_default_str()
-        ->check(CLI::ExistingDirectory)
+    addPath(*command, "--out", options->folder,
+            "folder for pictures, videos and files that are saved")
+        ->default_str(utf8FromPath(options->folder))
+        ->check(checkFolder, "")
         ->type_name("DIR");
-    command
-        ->add_option("--shader-dir", options->shaders,
-                     "a copy of glsl/ to take shaders from, again whenever a file changes")
+    addPath(*command, "--shader-dir", options->shaders,
+            "a copy of glsl/ to take shaders from, again whenever a file changes")
         ->type_name("DIR");
-    command
-        ->add_option("--log", options->log,
-                     "what happens, as lines of JSON: for tests and bug reports")
+    addPath(*command, "--log", options->log,
+            "what happens, as lines of JSON: for tests and bug reports")
         ->type_name("FILE");
     command->callback([&chosen, options, size] {
         chosen = [options, size] {

@@ -1,6 +1,5 @@
 #include "files/temporary_file.hpp"
 
-#include <cerrno>
 #include <cstdio>
 #include <random>
 #include <string>
@@ -8,6 +7,8 @@
 #include <utility>
 
 #include "core/types.hpp"
+#include "files/system.hpp"
+#include "files/utf8_path.hpp"
 
 namespace sunder {
 namespace {
@@ -28,17 +29,8 @@ fs::path temporaryName(const fs::path& target) {
     return target.parent_path() / name;
 }
 
-/// Makes an empty file where there is nothing, whatever others do meanwhile.
-std::error_code makeNew(const fs::path& path) {
-    errno = 0;
-    std::FILE* file = std::fopen(path.string().c_str(), "wbx");
-    if (!file) return {errno ? errno : EIO, std::generic_category()};
-    std::fclose(file);
-    return {};
-}
-
 [[noreturn]] void fail(const fs::path& target, const std::error_code& reason) {
-    throw InputError(target.string() + ": cannot be written: " + reason.message());
+    throw InputError(utf8FromPath(target) + ": cannot be written: " + reason.message());
 }
 
 }  // namespace
@@ -52,7 +44,7 @@ TemporaryFile::~TemporaryFile() {
 }
 
 void TemporaryFile::make() {
-    if (const std::error_code error = makeNew(path_)) fail(target_, error);
+    if (const std::error_code error = makeNewFile(path_)) fail(target_, error);
 }
 
 void TemporaryFile::moveToTarget() {
@@ -72,7 +64,7 @@ bool TemporaryFile::moveToNew(const fs::path& target) {
         return true;
     }
     // Some file systems know no second names. There an empty file holds the place for a moment.
-    error = makeNew(target);
+    error = makeNewFile(target);
     if (error == std::errc::file_exists) return false;
     if (error) fail(target, error);
     fs::rename(path_, target, error);

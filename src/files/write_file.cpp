@@ -7,6 +7,7 @@
 
 #include "core/types.hpp"
 #include "files/temporary_file.hpp"
+#include "files/utf8_path.hpp"
 
 namespace sunder {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& path, const std::string& reason) {
-    throw InputError(path.string() + ": cannot be written: " + reason);
+    throw InputError(utf8FromPath(path) + ": cannot be written: " + reason);
 }
 
 std::string reasonOfLastError() {
@@ -49,8 +50,8 @@ fs::path placeOf(const fs::path& path) {
     if (place.empty()) place = path;
     const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, error))
-        fail(path, fs::exists(folder, error) ? "'" + folder.string() + "' is not a folder"
-                                             : "there is no folder '" + folder.string() +
+        fail(path, fs::exists(folder, error) ? "'" + utf8FromPath(folder) + "' is not a folder"
+                                             : "there is no folder '" + utf8FromPath(folder) +
                                                    "'; one that does not exist is not made");
     if (!place.has_filename() || fs::is_directory(place, error)) fail(path, "it is a folder");
     return place;

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,7 +9,7 @@
 namespace sunder {
 
 /// Another program that reads what it is fed on its standard input. Everything about processes that
-/// differs from system to system is in fed_process.cpp.
+/// differs from system to system is in fed_process_posix.cpp and fed_process_windows.cpp.
 class FedProcess {
   public:
     /// Program and arguments, each taken as it is: no shell looks at them. The program is sought as
@@ -30,18 +31,13 @@ class FedProcess {
     std::string complaints() const;
 
   private:
-    bool started_ = false, givenUp_ = false;
-    std::FILE* errors_ = nullptr;
-#ifdef _WIN32
-    std::FILE* input_ = nullptr;
-    std::string errorName_;
-#else
-    /// Kills it if the user would not wait.
+    struct System;
+    /// Kills it if the user would not wait; where the system can tell.
     void giveUp();
 
-    int input_ = -1, process_ = -1;
-    void (*pipeHandler_)(int);
-#endif
+    bool started_ = false, givenUp_ = false;
+    std::FILE* errors_ = nullptr;
+    std::unique_ptr<System> system_;
 };
 
 }  // namespace sunder

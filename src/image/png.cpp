@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/types.hpp"
+#include "files/utf8_path.hpp"
 #include "files/write_file.hpp"
 #include "image/image.hpp"
 #include "image/stb_memory.hpp"
@@ -18,24 +19,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& path, const std::string& reason) {
-    throw InputError(path.string() + ": " + reason);
+[[noreturn]] void fail(const std::string& name, const std::string& reason) {
+    throw InputError(name + ": " + reason);
 }
 
 /// A whole file. stb counts bytes in an int.
-std::string readFile(const fs::path& path) {
+std::string readFile(const fs::path& path, const std::string& name) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    if (!fs::exists(status)) fail(path, "no such file");
-    if (!fs::is_regular_file(status)) fail(path, "not a file, but a PNG picture is wanted");
+    if (!fs::exists(status)) fail(name, "no such file");
+    if (!fs::is_regular_file(status)) fail(name, "not a file, but a PNG picture is wanted");
     const std::uintmax_t size = fs::file_size(path, error);
-    if (error) fail(path, "cannot be read: " + error.message());
+    if (error) fail(name, "cannot be read: " + error.message());
     if (size > static_cast<std::uintmax_t>(std::numeric_limits<int>::max()))
-        fail(path, "too large for a PNG picture (2 GiB at most)");
+        fail(name, "too large for a PNG picture (2 GiB at most)");
     std::string bytes(static_cast<std::size_t>(size), '\0');
     std::ifstream file(path, std::ios::binary);
     if (!file || !file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-        fail(path, "cannot be read");
+        fail(name, "cannot be read");
     return bytes;
 }
 
@@ -70,7 +71,8 @@ void writePng(const fs::path& path, const Image& image) {
 }
 
 Image readPng(const fs::path& path) {
-    return decodePng(readFile(path), path.string());
+    const std::string name = utf8FromPath(path);
+    return decodePng(readFile(path, name), name);
 }
 
 Image decodePng(std::string_view bytes, const std::string& name) {

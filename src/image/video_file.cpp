@@ -6,6 +6,8 @@
 #include <system_error>
 
 #include "core/types.hpp"
+#include "files/system.hpp"
+#include "files/utf8_path.hpp"
 
 namespace sunder {
 namespace {
@@ -19,7 +21,7 @@ std::string decimal(double value) {
 
 /// Containers that take H.264, which every player knows.
 bool takesH264(const fs::path& path) {
-    std::string ending = path.extension().string();
+    std::string ending = utf8FromPath(path.extension());
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
     return ending == ".mp4" || ending == ".m4v" || ending == ".mov" || ending == ".mkv";
@@ -45,7 +47,7 @@ std::vector<std::string> command(const fs::path& path, int width, int height, do
              "-color_trc", "bt709", "-color_range", "tv"});
     }
     // Neither an option nor a protocol, whatever the name begins with.
-    add({"file:" + path.string()});
+    add({"file:" + utf8FromPath(path)});
     return words;
 }
 
@@ -74,7 +76,7 @@ void VideoFile::check(const fs::path& path, int width, int height, double fps) {
     if (error)
         throw InputError("a video cannot be made: there is no folder for temporary files: " +
                          error.message());
-    VideoFile video(folder / fs::path("sunder").concat(path.extension().string()), path, width,
+    VideoFile video(folder / fs::path("sunder").concat(path.extension().native()), path, width,
                     height, fps);
     const Image black{width, height, std::vector<std::uint8_t>(std::size_t{3} * width * height, 0)};
     // Two: some endings are those of single pictures.
@@ -89,9 +91,9 @@ VideoFile::VideoFile(const fs::path& target, const fs::path& named, int width, i
                      double fps)
     : named_(named), temporary_(target), ffmpeg_(command(temporary_.path(), width, height, fps)) {
     if (!ffmpeg_.started())
-        throw InputError(
-            "a video needs ffmpeg, which is not installed; install it (apt-get install ffmpeg), or "
-            "make pictures instead (`sunder run SCENE --frames-png 1`)");
+        throw InputError("a video needs ffmpeg, which is not installed; install it (" +
+                         installCommand("ffmpeg") +
+                         "), or make pictures instead (`sunder run SCENE --frames-png 1`)");
 }
 
 void VideoFile::add(const Image& image) {
@@ -120,9 +122,9 @@ bool VideoFile::close() {
 
 void VideoFile::fail() {
     ffmpeg_.close();
-    throw InputError("ffmpeg cannot write '" + named_.string() + "': " +
-                     replaced(reason(ffmpeg_.complaints()), "file:" + temporary_.path().string(),
-                              named_.string()));
+    throw InputError("ffmpeg cannot write '" + utf8FromPath(named_) + "': " +
+                     replaced(reason(ffmpeg_.complaints()),
+                              "file:" + utf8FromPath(temporary_.path()), utf8FromPath(named_)));
 }
 
 }  // namespace sunder

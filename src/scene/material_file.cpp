@@ -1,5 +1,6 @@
 #include "scene/material_file.hpp"
 
+#include "files/utf8_path.hpp"
 #include "scene/limits.hpp"
 #include "scene/presets.hpp"
 #include "scene/scene.hpp"
@@ -53,7 +54,7 @@ Material parseMaterialAt(std::string_view text, const std::string& file,
     const TableReader reader(document, file, "the material", materialKeys());
     MaterialLibrary library(folder, depth);
     Material material = readMaterial(reader, library, {});
-    material.name = std::filesystem::path(file).stem().string();
+    material.name = utf8FromPath(pathFromUtf8(file).stem());
     return material;
 }
 
@@ -100,14 +101,14 @@ Material MaterialLibrary::find(const std::string& name, const Complain& complain
     if (const EmbeddedFile* preset = findPreset(PresetKind::Material, name))
         return parseMaterialAt(preset->text, name + ".toml", {}, depth_ + 1);
     if (!looksLikePath(name)) complain(unknown(name));
-    const std::filesystem::path path = folder_ / name;
+    const std::filesystem::path path = folder_ / pathFromUtf8(name);
     std::string text;
     try {
         text = readTextFile(path);
     } catch (const InputError& error) {
         complain(error.what());
     }
-    return parseMaterialAt(text, path.string(), path.parent_path(), depth_ + 1);
+    return parseMaterialAt(text, utf8FromPath(path), path.parent_path(), depth_ + 1);
 }
 
 std::string MaterialLibrary::unknown(const std::string& name) const {
@@ -127,7 +128,7 @@ Material loadMaterial(const std::string& nameOrPath, const std::filesystem::path
 }
 
 Material parseMaterial(std::string_view text, const std::string& file) {
-    return parseMaterialAt(text, file, std::filesystem::path(file).parent_path(), 0);
+    return parseMaterialAt(text, file, pathFromUtf8(file).parent_path(), 0);
 }
 
 }  // namespace sunder

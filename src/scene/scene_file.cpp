@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "files/utf8_path.hpp"
 #include "scene/body_reader.hpp"
 #include "scene/event_reader.hpp"
 #include "scene/limits.hpp"
@@ -79,7 +80,7 @@ Scene parseScene(std::string_view text, const std::string& file,
                            {"title", "frames", "gravity", "seed", "solver", "ground", "room",
                             "contact", "camera", "material", "body", "object", "event"});
     Scene scene;
-    scene.name = std::filesystem::path(file).stem().string();
+    scene.name = utf8FromPath(pathFromUtf8(file).stem());
     scene.title = scene.name;
     WorldDescription& world = scene.world;
     root.read("title", scene.title, kMaxTitle);
@@ -113,7 +114,7 @@ Scene loadScene(const std::string& nameOrPath) {
                          "; a file's path has a '/' or ends in .toml" +
                          suggestion(nameOrPath, presets));
     }
-    const std::filesystem::path path(nameOrPath);
+    const std::filesystem::path path = pathFromUtf8(nameOrPath);
     return parseScene(readTextFile(path), nameOrPath, path.parent_path());
 }
 

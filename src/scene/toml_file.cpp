@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "core/types.hpp"
+#include "files/utf8_path.hpp"
 #include "scene/wording.hpp"
 
 namespace sunder {
@@ -67,7 +68,7 @@ void checkKeyDepth(std::string_view text, const std::string& file) {
 }  // namespace
 
 std::string readTextFile(const std::filesystem::path& path) {
-    const std::string intro = "cannot read " + inQuotes(path.string()) + ": ";
+    const std::string intro = "cannot read " + inQuotes(utf8FromPath(path)) + ": ";
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
         throw InputError(intro + "it is a folder; name a .toml file in it");

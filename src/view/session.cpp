@@ -6,6 +6,7 @@
 #include <new>
 #include <utility>
 
+#include "files/utf8_path.hpp"
 #include "files/write_file.hpp"
 #include "image/image.hpp"
 #include "render/legend.hpp"
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 /// NAME.toml in the folder, or NAME where it is a path already. Throws InputError.
 fs::path tomlPath(const fs::path& folder, const std::string& name) {
     if (name.empty()) throw InputError("give a name to save it under");
-    fs::path path = name;
+    fs::path path = pathFromUtf8(name);
     if (path.extension() != ".toml") path += ".toml";
     return path.is_absolute() ? path : folder / path;
 }
@@ -152,7 +153,7 @@ bool Session::save(const fs::path& path, std::string_view bytes) {
     const bool written = writeNewFile(path, bytes);
     ownFiles_.insert(path);
     if (written) return true;
-    say(path.string() + " is there already; save again to replace it", true);
+    say(utf8FromPath(path) + " is there already; save again to replace it", true);
     return false;
 }
 
@@ -166,8 +167,8 @@ void Session::saveScene(const std::string& name) {
         Scene saved = scene();
         saved.camera = camera.description();
         if (!save(path, writeScene(saved))) return;
-        say("Saved; run it with: sunder run " + path.string());
-        log.add("saved_scene", {{"path", path.string()}});
+        say("Saved; run it with: sunder run " + utf8FromPath(path));
+        log.add("saved_scene", {{"path", utf8FromPath(path)}});
     });
 }
 
@@ -175,8 +176,8 @@ void Session::saveMaterial(int index, const std::string& name) {
     attempt([&] {
         const fs::path path = tomlPath(folder, name);
         if (!save(path, writeMaterial(scene().world.materials[index]))) return;
-        say("Saved; a scene uses it by: material = \"" + path.filename().string() + "\"");
-        log.add("saved_material", {{"path", path.string()}});
+        say("Saved; a scene uses it by: material = \"" + utf8FromPath(path.filename()) + "\"");
+        log.add("saved_material", {{"path", utf8FromPath(path)}});
     });
 }
 
@@ -320,8 +321,8 @@ void Session::savePicture(Image picture) {
     attempt([&] {
         addLegend(picture);
         const fs::path path = writeNumberedFile(unnumbered(".png"), encodePng(picture));
-        say("Picture saved: " + path.string());
-        log.add("picture", {{"path", path.string()}});
+        say("Picture saved: " + utf8FromPath(path));
+        log.add("picture", {{"path", utf8FromPath(path)}});
     });
 }
 
@@ -333,7 +334,7 @@ void Session::toggleRecording() {
     attempt([&] {
         recorder_.emplace(unnumbered(".mp4"), area.width, area.height);
         clock.setFixed(true);
-        log.add("recording", {{"folder", folder.string()}});
+        log.add("recording", {{"folder", utf8FromPath(folder)}});
     });
 }
 
@@ -352,7 +353,7 @@ void Session::dropRecorder() {
 
 std::string Session::finishRecording() {
     const int frames = recorder_->frames();
-    const std::string path = frames > 0 ? recorder_->finish().string() : "";
+    const std::string path = frames > 0 ? utf8FromPath(recorder_->finish()) : "";
     log.add("video", {{"path", path}, {"frames", frames}});
     if (frames == 0) return "No picture was recorded, so there is no video";
     return path.empty() ? "The video was given up" : "Video saved: " + path;

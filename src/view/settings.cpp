@@ -1,9 +1,10 @@
 #include "view/settings.hpp"
 
-#include <cstdlib>
 #include <iterator>
 
 #include "balance/solver_factory.hpp"
+#include "files/system.hpp"
+#include "files/utf8_path.hpp"
 #include "files/write_file.hpp"
 #include "scene/table_reader.hpp"
 #include "scene/toml_file.hpp"
@@ -20,11 +21,6 @@ void readChoice(const TableReader& reader, std::string_view key, Choice& value,
     std::vector<std::string_view> names;
     for (const Choice choice : choices) names.push_back(toString(choice));
     if (const auto index = reader.readChoice(key, names)) value = choices[*index];
-}
-
-fs::path folderFrom(const char* variable, const char* below) {
-    const char* value = std::getenv(variable);
-    return value && *value ? fs::path(value) / below : fs::path();
 }
 
 std::string inToml(std::string_view text) {
@@ -48,24 +44,17 @@ std::string_view toString(Tool tool) {
 }
 
 fs::path settingsFile() {
-#if defined(_WIN32)
-    const fs::path folder = folderFrom("APPDATA", "sunder");
-#elif defined(__APPLE__)
-    const fs::path folder = folderFrom("HOME", "Library/Application Support/sunder");
-#else
-    fs::path folder = folderFrom("XDG_CONFIG_HOME", "sunder");
-    if (folder.empty()) folder = folderFrom("HOME", ".config/sunder");
-#endif
-    return folder.empty() ? folder : folder / "viewer.toml";
+    const fs::path folder = settingsFolder();
+    return folder.empty() ? folder : folder / "sunder" / "viewer.toml";
 }
 
 Settings readSettings(const fs::path& path) {
     Settings settings;
     std::error_code error;
     if (path.empty() || !fs::exists(path, error)) return settings;
-    const toml::table document = parseToml(readTextFile(path), path.string());
+    const toml::table document = parseToml(readTextFile(path), utf8FromPath(path));
     const TableReader reader(
-        document, path.string(), "the settings",
+        document, utf8FromPath(path), "the settings",
         {"solver", "mesh", "style", "colour", "samples", "vsync", "full_screen", "tool", "shot",
          "push", "radius", "scene_hits", "interface_scale", "panel", "width", "height"});
     std::vector<std::string_view> names;
@@ -94,7 +83,7 @@ void writeSettings(const fs::path& path, const Settings& settings) {
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
     if (error)
-        throw InputError("cannot make the folder '" + path.parent_path().string() +
+        throw InputError("cannot make the folder '" + utf8FromPath(path.parent_path()) +
                          "': " + error.message());
     const std::pair<const char*, std::string> lines[] = {
         {"solver", inToml(settings.solver)},

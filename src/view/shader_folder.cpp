@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/types.hpp"
+#include "files/utf8_path.hpp"
 
 namespace sunder::view {
 
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 ShaderFolder::ShaderFolder(fs::path folder) : folder_(std::move(folder)) {
     std::error_code error;
     if (!fs::is_directory(folder_ / "draw", error))
-        throw InputError("--shader-dir: '" + folder_.string() +
+        throw InputError("--shader-dir: '" + utf8FromPath(folder_) +
                          "' is no folder of shaders; name a copy of Sunder's glsl/, which has a "
                          "folder draw in it");
     stamp_ = stamp();
@@ -28,7 +29,7 @@ void ShaderFolder::eachFile(Visit&& visit) const {
     for (fs::recursive_directory_iterator at(folder_, error), end; !error && at != end;
          at.increment(error)) {
         // An editor's own files come and go.
-        const std::string extension = at->path().extension().string();
+        const fs::path extension = at->path().extension();
         if (extension == ".glsl" || extension == ".vert" || extension == ".geom" ||
             extension == ".frag" || extension == ".h")
             visit(*at);
@@ -40,7 +41,7 @@ gl::ShaderSource ShaderFolder::source() const {
     eachFile([&](const fs::directory_entry& entry) {
         std::ifstream file(entry.path(), std::ios::binary);
         if (!file) return;
-        (*texts)[entry.path().lexically_relative(folder_).generic_string()] =
+        (*texts)[utf8FromPath(entry.path().lexically_relative(folder_))] =
             std::string(std::istreambuf_iterator<char>(file), {});
     });
     return [texts](std::string_view name) -> std::optional<std::string> {
