@@ -7,6 +7,7 @@
 
 #include "catch.hpp"
 #include "core/pieces.hpp"
+#include "files/utf8_path.hpp"
 #include "gl/shader_assembly.hpp"
 #include "gpu/test_context.hpp"
 #include "image/renewal.hpp"
@@ -197,5 +198,5 @@ TEST_CASE("renew baselines", "[.update]") {
                           .states = !given("SUNDER_BASELINE_STATES").empty(),
                           .ci = std::getenv("CI") != nullptr};
     for (const fs::path& path : renew(suite(), kFolder, testContext().info(), renewal))
-        WARN("wrote " << path.string());
+        WARN("wrote " << utf8FromPath(path));
 }

@@ -1,5 +1,6 @@
 // tools/update-baselines: what it renews, and when it refuses.
 #include "image/renewal.hpp"
+#include "files/utf8_path.hpp"
 
 #include <algorithm>
 
@@ -52,7 +53,7 @@ Names renewIn(const TestFolder& folder, const Renewal& renewal,
               const gl::DeviceInfo& info = kMaker) {
     Names names;
     for (const fs::path& path : renew(smallSuite(), folder.path(), info, renewal))
-        names.push_back(path.filename().string());
+        names.push_back(utf8FromPath(path.filename()));
     std::sort(names.begin(), names.end());
     return names;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "files/utf8_path.hpp"
 #include "files/write_file.hpp"
 #include "gpu/test_context.hpp"
 #include "image/stored_state.hpp"
@@ -58,7 +59,7 @@ bool draw(const SuitePicture& picture, const fs::path& folder, const DrawPicture
     const fs::path state = stateOf(folder, picture);
     if (picture.storedState() && !fs::exists(state)) {
         result.accept = "tools/update-baselines " + picture.name;
-        return failed("missing state", state.string() + ": there is no stored state");
+        return failed("missing state", utf8FromPath(state) + ": there is no stored state");
     }
     try {
         result.actual = drawPicture(picture, folder);
@@ -108,7 +109,7 @@ PictureResult drawAndCompare(const SuitePicture& picture, const fs::path& folder
     const std::string accept =
         picture.ownBaseline() ? "tools/update-baselines " + picture.name : "";
     if (!fs::exists(baseline)) {
-        failed("missing baseline", baseline.string() + ": there is no baseline");
+        failed("missing baseline", utf8FromPath(baseline) + ": there is no baseline");
         result.accept = accept;
     } else {
         try {

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "files/utf8_path.hpp"
 #include "files/write_file.hpp"
 
 using namespace sunder;
@@ -141,7 +142,7 @@ void writeState(const fs::path& path, const State& state) {
 
 State readState(const fs::path& path, const World& world) {
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw StateError(path.string() + ": there is no stored state");
+    if (!file) throw StateError(utf8FromPath(path) + ": there is no stored state");
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    return decodeState(bytes, world, path.string());
+    return decodeState(bytes, world, utf8FromPath(path));
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 
+#include "files/utf8_path.hpp"
 #include "gpu/gather.hpp"
 #include "gpu/scatter.hpp"
 #include "gpu/test_context.hpp"
@@ -163,7 +164,7 @@ Suite parseSuite(std::string_view text, const std::string& file) {
 }
 
 Suite readSuite(const fs::path& path) {
-    return parseSuite(readTextFile(path), "tests/image/" + path.filename().string());
+    return parseSuite(readTextFile(path), "tests/image/" + utf8FromPath(path.filename()));
 }
 
 fs::path baselineOf(const fs::path& folder, const SuitePicture& picture) {

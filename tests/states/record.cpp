@@ -11,6 +11,8 @@
 #include <sstream>
 #include <utility>
 
+#include "files/utf8_path.hpp"
+
 using namespace sunder;
 
 namespace {
@@ -151,8 +153,8 @@ Record parseRecord(std::istream& text, const std::string& file) {
 
 Record readRecord(const std::filesystem::path& path) {
     std::ifstream file(path);
-    if (!file) throw InputError(path.string() + ": cannot be read");
-    return parseRecord(file, path.string());
+    if (!file) throw InputError(utf8FromPath(path) + ": cannot be read");
+    return parseRecord(file, utf8FromPath(path));
 }
 
 std::string toText(const Record& entries) {

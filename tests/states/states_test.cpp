@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.hpp"
+#include "files/utf8_path.hpp"
 #include "files/write_file.hpp"
 #include "scene/scene.hpp"
 #include "states/record.hpp"
@@ -35,7 +36,7 @@ const StoredScene kScenes[] = {
     {"touching", 20}, {"brick", 10},    {"planks", 12}, {"wrecking-ball", 10}, {"heap", 24}};
 
 Scene load(const std::string& name) {
-    Scene scene = loadScene(name == "touching" ? (folder() / "touching.toml").string() : name);
+    Scene scene = loadScene(name == "touching" ? utf8FromPath(folder() / "touching.toml") : name);
     if (name == "wrecking-ball") {
         // A second of swinging is left out: the ball begins a twentieth of a second before the
         // wall, on its circle of 4 m and as fast as the fall has made it.
@@ -105,7 +106,7 @@ std::string compareWithStored(const StoredScene& stored, const SolverUnderTest& 
         return say("no stored state", error.what());
     }
     if (before.empty() || before.back().step != steps)
-        return say("no stored state", fileOf(stored.name, under.name).string() +
+        return say("no stored state", utf8FromPath(fileOf(stored.name, under.name)) +
                                           ": must reach to step " + std::to_string(steps));
     const World world(scene.world);
     const std::unique_ptr<Solver> solver = under.make(world);
@@ -151,7 +152,7 @@ TEST_CASE("renew states", "[.update]") {
             writeFile(file, "# Scene " + name + ", solver " + under.name + ", on " +
                                 driverUnderTest() + ". Made by tools/update-states.\n" +
                                 toText(record(*solver, everyStep(frames * scene.substeps))));
-            WARN("wrote " << file.string());
+            WARN("wrote " << utf8FromPath(file));
         }
     if (!any) FAIL("no states are stored of a scene '" << only << "'");
 }

@@ -14,6 +14,7 @@
 #include "core/types.hpp"
 #include "files/held_signals.hpp"
 #include "files/temporary_file.hpp"
+#include "files/utf8_path.hpp"
 #include "files/write_file.hpp"
 #include "support/test_folder.hpp"
 
@@ -30,7 +31,7 @@ std::string contents(const fs::path& path) {
 std::set<std::string> entries(const fs::path& folder) {
     std::set<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder))
-        names.insert(entry.path().filename().string());
+        names.insert(utf8FromPath(entry.path().filename()));
     return names;
 }
 
@@ -131,9 +132,9 @@ TEST_CASE("Whether a file can be written is tried, and leaves no trace", "[files
           Case{here / "file" / "a.json", "is not a folder"},
           Case{here / "folder.json", "it is a folder"}, Case{here / "", "it is a folder"},
           Case{here / tooLong, "cannot be written: "}}) {
-        INFO(c.path.string());
+        INFO(utf8FromPath(c.path));
         CHECK_THROWS_WITH(checkWritable(c.path),
-                          Catch::StartsWith(c.path.string() + ": cannot be written: ") &&
+                          Catch::StartsWith(utf8FromPath(c.path) + ": cannot be written: ") &&
                               Catch::Contains(c.said));
         CHECK_THROWS_AS(writeFile(c.path, "x"), InputError);  // it was right
     }

@@ -1,5 +1,6 @@
 // What scene files set, and how they and material files find one another.
 #include "scene/scene.hpp"
+#include "files/utf8_path.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -141,7 +142,7 @@ TEST_CASE("Scene and material files are read from disk, relative to one another"
     const auto write = [&](const fs::path& name, const std::string& text) {
         fs::create_directories((folder.path() / name).parent_path());
         std::ofstream(folder.path() / name, std::ios::binary) << text;
-        return (folder.path() / name).string();
+        return utf8FromPath(folder.path() / name);
     };
     write("stuff/heavy.toml", "base = '../light.toml'\ndensity = 5000\n");
     write("light.toml", "base = 'rubber'\nspread = 0.5\n");
@@ -164,9 +165,9 @@ TEST_CASE("Scene and material files are read from disk, relative to one another"
         checkParts(messageOf([&] { loadScene(path); }), {".toml:1: ", "circle"});
     }
     SECTION("what cannot be read is named") {
-        checkParts(messageOf([&] { loadScene((folder.path() / "no.toml").string()); }),
+        checkParts(messageOf([&] { loadScene(utf8FromPath(folder.path() / "no.toml")); }),
                    {"cannot read '", "No such file"});
-        checkParts(messageOf([&] { loadScene(folder.path().string()); }),
+        checkParts(messageOf([&] { loadScene(utf8FromPath(folder.path())); }),
                    {"cannot read '", "it is a folder"});
         const std::string large = write("large.toml", std::string((4u << 20) + 1, '\n'));
         checkParts(messageOf([&] { loadScene(large); }), {"cannot read '", "larger than 4 MiB"});

@@ -19,7 +19,7 @@ std::string moveTo(double x, double y) {
 ViewerUnderTest::ViewerUnderTest(const Screen& screen, const std::vector<std::string>& arguments,
                                  const std::map<std::string, std::string>& set)
     : screen_(screen),
-      log_(screen.folder() / "log.jsonl"),
+      log_(screen.folder() / "日本 Jürgen.jsonl"),
       output_(screen.folder() / "output.txt") {
     fs::remove(log_);
     std::vector<std::string> command{SUNDER_PROGRAM, "view",  "--log",

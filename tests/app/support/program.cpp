@@ -6,7 +6,9 @@
 #include <random>
 #include <sstream>
 
-#ifndef _WIN32
+#ifdef _WIN32
+#include "files/utf16_windows.hpp"
+#else
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -18,6 +20,9 @@
 #endif
 
 #include "catch.hpp"
+#include "files/utf8_path.hpp"
+
+using sunder::pathFromUtf8, sunder::utf8FromPath;
 
 namespace fs = std::filesystem;
 
@@ -32,18 +37,18 @@ std::string randomName() {
 std::string quoted(const std::string& word) {
     return '"' + word + '"';
 }
-// cmd removes the first and the last quote of a line.
-std::string shellLine(const std::string& command) {
-    return '"' + command + '"';
+int runShell(const std::string& command) {
+    // cmd removes the first and the last quote of a line.
+    return _wsystem(sunder::utf16FromUtf8('"' + command + '"').c_str());
 }
 int exitCodeOf(int status) {
     return status;
 }
 void setVariable(const std::string& name, const std::string& value) {
-    _putenv_s(name.c_str(), value.c_str());
+    _wputenv_s(sunder::utf16FromUtf8(name).c_str(), sunder::utf16FromUtf8(value).c_str());
 }
 void unsetVariable(const std::string& name) {
-    _putenv_s(name.c_str(), "");
+    setVariable(name, "");
 }
 #else
 std::string quoted(const std::string& word) {
@@ -51,8 +56,8 @@ std::string quoted(const std::string& word) {
     for (const char c : word) result += c == '\'' ? "'\\''" : std::string(1, c);
     return result + "'";
 }
-std::string shellLine(const std::string& command) {
-    return command;
+int runShell(const std::string& command) {
+    return std::system(command.c_str());
 }
 int exitCodeOf(int status) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -120,7 +125,7 @@ class CurrentFolder {
 
 std::string contentsOf(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
-    INFO(path.string());
+    INFO(utf8FromPath(path));
     REQUIRE(file);
     std::ostringstream text;
     text << file.rdbuf();
@@ -254,17 +259,23 @@ Result Workplace::runInShell(const std::string& before, const std::vector<std::s
     const fs::path out = root_ / "out.txt", err = root_ / "err.txt";
     std::string command = before + quoted(SUNDER_PROGRAM);
     for (const std::string& argument : arguments) command += ' ' + quoted(argument);
-    command += " > " + quoted(standardOutput.empty() ? out.string() : standardOutput) + " 2> " +
-               quoted(err.string());
+    command += " > " + quoted(standardOutput.empty() ? utf8FromPath(out) : standardOutput) +
+               " 2> " + quoted(utf8FromPath(err));
 
     const SetVariables variables(environment);
     const CurrentFolder here(work_);
     Result result;
     result.command = command;
-    result.exitCode = exitCodeOf(std::system(shellLine(command).c_str()));
+    result.exitCode = exitCodeOf(runShell(command));
     if (standardOutput.empty()) result.out = contentsOf(out);
     result.err = contentsOf(err);
+    // Windows ends lines with two characters.
+    for (std::string* text : {&result.out, &result.err}) std::erase(*text, '\r');
     return result;
+}
+
+std::filesystem::path Workplace::path(const std::string& name) const {
+    return work_ / pathFromUtf8(name);
 }
 
 void Workplace::write(const std::string& name, const std::string& contents) const {
@@ -289,7 +300,7 @@ std::set<std::string> Workplace::contents() const {
         std::error_code error;
         for (fs::recursive_directory_iterator at(work_, error), end; !error && at != end;
              at.increment(error))
-            names.insert(at->path().lexically_relative(work_).generic_string());
+            names.insert(utf8FromPath(at->path().lexically_relative(work_)));
         if (!error) return names;
     }
     FAIL("the folder of the test cannot be read");

@@ -82,9 +82,7 @@ class Workplace {
     void write(const std::string& name, const std::string& contents) const;
     std::string read(const std::string& name) const;
     nlohmann::json readJson(const std::string& name) const;
-    std::filesystem::path path(const std::string& name) const {
-        return work_ / name;
-    }
+    std::filesystem::path path(const std::string& name) const;
     /// Every file and folder in it, by its path within.
     std::set<std::string> contents() const;
 
