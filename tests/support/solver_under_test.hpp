@@ -23,7 +23,7 @@ std::vector<SolverUnderTest> cpuSolvers();
 /// Those that need a GL context; only in programs with gpu/gpu_solvers.cpp.
 std::vector<SolverUnderTest> gpuSolvers();
 
-/// What rounds for them: the GL driver, or the system that this was built for.
+/// What rounds for them: the GL driver, or "every system" where that makes no difference.
 std::string driverUnderTest();
 
 /// Those among them that have contact.
