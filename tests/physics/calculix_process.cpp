@@ -6,8 +6,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "physics/calculix.hpp"
-
 #ifdef _WIN32
 #define popen _popen
 #define pclose _pclose
@@ -29,26 +27,29 @@ std::string ccx(const fs::path& folder, const std::string& arguments) {
     return said;
 }
 
+fs::path folderOf(const std::string& name) {
+    return fs::path(SUNDER_PHYSICS_WORK) / name;
+}
+
 }  // namespace
 
-std::string calculixVersion() {
+std::string calculixHere() {
     const std::string said = ccx(".", "-v"), words = "This is Version ";
     const std::size_t at = said.find(words);
-    if (at == std::string::npos)
-        throw std::runtime_error(
-            "CalculiX's program ccx cannot be run: install the package calculix-ccx");
+    if (at == std::string::npos) return {};
     std::string version;
     std::istringstream(said.substr(at + words.size())) >> version;
     return "CalculiX " + version;
 }
 
-std::string runCalculix(const std::string& name, const std::string& input) {
-    calculixVersion();
-    const fs::path folder = fs::path(SUNDER_PHYSICS_WORK) / name;
-    fs::create_directories(folder);
-    const fs::path printed = folder / (name + ".dat");
+void leaveInput(const std::string& name, const std::string& input) {
+    fs::create_directories(folderOf(name));
+    std::ofstream(folderOf(name) / (name + ".inp"), std::ios::binary) << input;
+}
+
+std::string runCalculix(const std::string& name) {
+    const fs::path folder = folderOf(name), printed = folder / (name + ".dat");
     fs::remove(printed);
-    std::ofstream(folder / (name + ".inp")) << input;
     const std::string said = ccx(folder, "-i \"" + name + "\"");
     std::ostringstream output;
     if (std::ifstream file(printed); file && file.peek() != EOF) output << file.rdbuf();

@@ -119,21 +119,20 @@ PlotPoints onCurve(const PlotPoints& points, const std::vector<double>& frequenc
 
 }  // namespace
 
-TEST_CASE("the first three natural frequencies of a bar are CalculiX's") {
+TEST_CASE("the first three natural frequencies of a bar are CalculiX's", "[calculix]") {
     PhysicsReport report(
         "natural-frequencies", "Natural frequencies of a bar",
         "A bar of 0.2 × 2 × 0.3 m held at its bottom is hit at a corner and "
         "rings; the first three peaks of its spectrum against *FREQUENCY of CalculiX "
         "on the same mesh of linear tetrahedra, with its consistent mass and with "
         "Sunder's masses at the points");
-    const std::string calculix = calculixVersion();
     const World world(standing({2, 20, 3}, 0.1));
     const JoinedMesh mesh = joinedMesh(world);
     const Material& material = world.description().materials[0];
     const std::vector<double> expected =
-        calculixFrequencies("bar", mesh, material, kModes, Mass::Consistent);
+        calculixFrequencies(report, "bar", mesh, material, kModes, Mass::Consistent);
     const std::vector<double> lumped =
-        calculixFrequencies("bar-lumped", mesh, material, kModes, Mass::Lumped);
+        calculixFrequencies(report, "bar-lumped", mesh, material, kModes, Mass::Lumped);
     auto plot =
         report.plot("Spectrum of free vibration", {"frequency", "Hz"}, {"power", "m²", true});
     PlotPoints points;
@@ -153,11 +152,13 @@ TEST_CASE("the first three natural frequencies of a bar are CalculiX's") {
                                  kSameMasses);
         }
     }
+    const std::string calculix = calculixVersion("bar");
     plot.series(calculix + ", consistent mass", LineStyle::Points, onCurve(points, expected));
     plot.series(calculix + ", same point masses", LineStyle::Points, onCurve(points, lumped));
 }
 
-TEST_CASE("the natural frequencies of a block, torsion among them, converge to CalculiX's") {
+TEST_CASE("the natural frequencies of a block, torsion among them, converge to CalculiX's",
+          "[calculix]") {
     PhysicsReport report("block-frequencies", "Natural frequencies of a block as cells get smaller",
                          "A block of 0.4 × 1.2 × 0.6 m held at its bottom; bending both ways and "
                          "torsion against *FREQUENCY of CalculiX on the same mesh: the same with "
@@ -177,10 +178,10 @@ TEST_CASE("the natural frequencies of a block, torsion among them, converge to C
         const World world(description);
         const JoinedMesh mesh = joinedMesh(world);
         const std::string name = "block-" + std::to_string(2 * fineness);
-        const auto consistent =
-            calculixFrequencies(name, mesh, description.materials[0], kModes, Mass::Consistent);
-        const auto lumped = calculixFrequencies(name + "-lumped", mesh, description.materials[0],
-                                                kModes, Mass::Lumped);
+        const auto consistent = calculixFrequencies(report, name, mesh, description.materials[0],
+                                                    kModes, Mass::Consistent);
+        const auto lumped = calculixFrequencies(report, name + "-lumped", mesh,
+                                                description.materials[0], kModes, Mass::Lumped);
         const PlotPoints points = ring(cpu, world, kPeriods / lumped[0], 1.3 * lumped.back());
         const std::string across = std::to_string(2 * fineness) + " cells over 0.4 m";
         spectra.series(across, LineStyle::Line, points);
