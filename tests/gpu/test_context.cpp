@@ -34,3 +34,7 @@ gl::Context& testContext() {
     if (!shared()) shared() = gl::createHeadlessContext();
     return *shared();
 }
+
+TestContextOfCommand::~TestContextOfCommand() {
+    shared().reset();
+}

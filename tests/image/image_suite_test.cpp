@@ -7,10 +7,8 @@
 
 #include "catch.hpp"
 #include "core/pieces.hpp"
-#include "files/utf8_path.hpp"
 #include "gl/shader_assembly.hpp"
 #include "gpu/test_context.hpp"
-#include "image/renewal.hpp"
 #include "image/results.hpp"
 #include "image/stored_state.hpp"
 
@@ -186,17 +184,4 @@ TEST_CASE("the comparison sees edges made of the bricks beyond them", "[image]")
     // Rounding decides for each pixel, which another driver may do alike for all.
     if (suite().madeBaselines(testContext().info()))
         checkSeen("neither inside nor outside", "brick-edge", right, drawnAt("HAIR = 0.0"));
-}
-
-// tools/update-baselines runs this, and nothing else does.
-TEST_CASE("renew baselines", "[.update]") {
-    const auto given = [](const char* name) {
-        const char* value = std::getenv(name);
-        return std::string(value ? value : "");
-    };
-    const Renewal renewal{.only = given("SUNDER_BASELINE"),
-                          .states = !given("SUNDER_BASELINE_STATES").empty(),
-                          .ci = std::getenv("CI") != nullptr};
-    for (const fs::path& path : renew(suite(), kFolder, testContext().info(), renewal))
-        WARN("wrote " << utf8FromPath(path));
 }

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "catch.hpp"
@@ -11,6 +12,7 @@
 #include "files/write_file.hpp"
 #include "scene/scene.hpp"
 #include "states/record.hpp"
+#include "states/update.hpp"
 #include "support/solver_under_test.hpp"
 
 using namespace sunder;
@@ -135,14 +137,13 @@ TEST_CASE("states are the stored ones", "[states]") {
         }
 }
 
-// tools/update-states runs this, and nothing else does.
-TEST_CASE("renew states", "[.update]") {
-    if (std::getenv("CI")) FAIL("states are never renewed by a CI machine");
-    const char* only = std::getenv("SUNDER_STATE");
+void updateStates(const std::vector<std::string>& arguments) {
+    if (std::getenv("CI")) throw InputError("states are never renewed by a CI machine");
+    if (arguments.size() > 1) throw InputError("at most one scene");
     bool any = false;
     for (const SolverUnderTest& under : storedSolvers())
         for (const auto& [name, frames] : kScenes) {
-            if (only && name != only) continue;
+            if (!arguments.empty() && name != arguments[0]) continue;
             any = true;
             const Scene scene = load(name);
             const World world(scene.world);
@@ -152,7 +153,7 @@ TEST_CASE("renew states", "[.update]") {
             writeFile(file, "# Scene " + name + ", solver " + under.name + ", on " +
                                 driverUnderTest() + ". Made by tools/update-states.\n" +
                                 toText(record(*solver, everyStep(frames * scene.substeps))));
-            WARN("wrote " << utf8FromPath(file));
+            std::cout << "wrote " << utf8FromPath(file) << '\n';
         }
-    if (!any) FAIL("no states are stored of a scene '" << only << "'");
+    if (!any) throw InputError("no states are stored of a scene '" + arguments[0] + "'");
 }
