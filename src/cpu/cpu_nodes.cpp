@@ -174,7 +174,13 @@ float updateNodes(const BodyArrays& body, int first, int end, std::span<const Pu
 }
 
 std::span<const std::int64_t> simdTargets() {
+#if HWY_TARGETS == HWY_STATIC_TARGET
+    // It has no choice. Highway's library, which may know the one set by another name, is not
+    // asked.
+    static const std::vector<std::int64_t> targets{HWY_STATIC_TARGET};
+#else
     static const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+#endif
     return targets;
 }
 const char* simdTargetName(std::int64_t target) {

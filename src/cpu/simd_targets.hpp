@@ -5,3 +5,12 @@
 #define HWY_DISABLED_TARGETS \
     (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #endif
+
+// Every 64-bit ARM has NEON, so there is one set and nothing to choose while the program runs.
+// Highway would choose all the same, between sets that differ in cryptography, by pragmas. The
+// implicit constructors of the kernels' structs do not get those, and no vector's operation could
+// be inlined into them.
+#if defined(__aarch64__) || defined(_M_ARM64)
+#define TOOLCHAIN_MISS_SYS_AUXV_H    // as Highway 1.0 is told
+#define HWY_HAVE_RUNTIME_DISPATCH 0  // as later ones are
+#endif
