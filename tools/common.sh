@@ -1,4 +1,4 @@
-# Sourced by tools/demo and tools/test: from a bare machine to a current Release build in build/.
+# Sourced by tools/demo, tools/test and others: from a bare machine to a current Release build in build/.
 # shellcheck shell=bash
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
@@ -20,12 +20,13 @@ parse_arguments() {
     done
 }
 
+# install_packages [PACKAGE...]: what everything needs, and those besides.
 install_packages() {
     if [[ $install == no ]]; then
         return
     fi
     if command -v apt-get >/dev/null; then
-        "$root/tools/install-packages"
+        "$root/tools/install-packages" "$@"
     else
         echo "No apt here: the libraries come from vcpkg.json (see the preset vcpkg); going on with what is installed."
     fi
