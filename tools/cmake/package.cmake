@@ -3,15 +3,17 @@ include(GNUInstallDirs)
 
 install(TARGETS sunder RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
-if(UNIX AND NOT APPLE)
-  # A tarball is for people who have no package manager look after what the program needs, so it says that itself. tools/package
-  # writes this between the .deb, whose dependencies it lists, and the tarball.
-  install(FILES ${CMAKE_BINARY_DIR}/packages/READ-ME-FIRST DESTINATION . COMPONENT program OPTIONAL)
-  install(FILES tools/cmake/sunder.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT program)
-  install(CODE "set(copyright \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DOCDIR}/copyright\")
-                set(licence \"${PROJECT_SOURCE_DIR}/LICENSE\")" COMPONENT program)
-  install(SCRIPT tools/cmake/copyright.cmake COMPONENT program)
+if(NOT UNIX OR APPLE)
+  return()
 endif()
+
+# A tarball is for people who have no package manager look after what the program needs, so it says that itself. tools/package
+# writes this between the .deb, whose dependencies it lists, and the tarball.
+install(FILES ${CMAKE_BINARY_DIR}/packages/READ-ME-FIRST DESTINATION . COMPONENT program OPTIONAL)
+install(FILES tools/cmake/sunder.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT program)
+install(CODE "set(copyright \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DOCDIR}/copyright\")
+              set(licence \"${PROJECT_SOURCE_DIR}/LICENSE\")" COMPONENT program)
+install(SCRIPT tools/cmake/copyright.cmake COMPONENT program)
 # tools/package has built the program; the tests, which `all` has too, are in no package.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 
