@@ -34,6 +34,8 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Beyond what it is linked with: a driver for machines without a GPU, the panels' letters, `--video`, and what GLFW looks for by
-# itself: several screens, a mouse's motion as it is, sized pointers.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libgl1-mesa-dri, fonts-dejavu-core, ffmpeg, libxrandr2, libxinerama1, libxi6, libxcursor1, libdecor-0-plugin-1-gtk | libdecor-0-plugin-1-cairo")
+# itself: several screens, a mouse's motion as it is, sized pointers, title bars under Wayland.
+set(recommended libgl1-mesa-dri fonts-dejavu-core ffmpeg libxrandr2 libxinerama1 libxi6 libxcursor1
+  "libdecor-0-plugin-1-gtk | libdecor-0-plugin-1-cairo")
+list(JOIN recommended ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS)
 include(CPack)
