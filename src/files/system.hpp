@@ -33,7 +33,7 @@ class Console {
     Console& operator=(const Console&) = delete;
 
   private:
-    unsigned codePage_ = 0, mode_ = 0;  ///< before
+    [[maybe_unused]] unsigned codePage_ = 0, mode_ = 0;  ///< before, on Windows
 };
 
 enum class Terminal {
