@@ -32,7 +32,7 @@ TEST_CASE("an unloaded wall at rest does not change by a bit") {
     }
 }
 
-TEST_CASE("a standing wall settles under its weight and stays") {
+TEST_CASE("a standing wall settles under its weight and stays", "[long]") {
     for (const SolverUnderTest& under : solversUnderTest()) {
         INFO(under.name);
         Material material = brittle();
