@@ -5,6 +5,7 @@
 #include "catch.hpp"
 #include "command.hpp"
 #include "gl/context.hpp"
+#include "support/contains.hpp"
 #include "support/test_folder.hpp"
 
 #ifdef __linux__
@@ -49,10 +50,6 @@ std::string refusal(const std::string& choice) {
         return error.what();
     }
     return {};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "gl/context.hpp"
 #include "gl/objects.hpp"
 #include "gl/program.hpp"
+#include "support/contains.hpp"
 
 using namespace sunder;
 using namespace sunder::gl;
@@ -26,10 +27,6 @@ std::string thrown(Call call) {
         return error.what();
     }
     return {};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 /// Draws need a complete framebuffer, even when they draw nothing.

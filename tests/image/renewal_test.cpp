@@ -1,11 +1,12 @@
 // tools/update-baselines: what it renews, and when it refuses.
 #include "image/renewal.hpp"
-#include "files/utf8_path.hpp"
 
 #include <algorithm>
 
 #include "catch.hpp"
+#include "files/utf8_path.hpp"
 #include "files/write_file.hpp"
+#include "image/device.hpp"
 #include "image/stored_state.hpp"
 #include "support/test_folder.hpp"
 
@@ -14,13 +15,6 @@ using Catch::Contains;
 namespace fs = std::filesystem;
 
 namespace {
-
-gl::DeviceInfo device(const std::string& renderer, const std::string& version) {
-    gl::DeviceInfo info;
-    info.renderer = renderer;
-    info.version = version;
-    return info;
-}
 
 const gl::DeviceInfo kMaker = device("llvmpipe (LLVM 15.0.6, 256 bits)", "4.5 Mesa 22.3.6");
 

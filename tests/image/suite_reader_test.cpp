@@ -1,5 +1,6 @@
 // tests/image/suite.toml as a language: what it may say, and what is refused.
 #include "catch.hpp"
+#include "image/device.hpp"
 #include "image/suite.hpp"
 
 using namespace sunder;
@@ -36,13 +37,6 @@ std::string refusal(const std::string& text) {
 
 std::string refusalOf(const std::string& pictures) {
     return refusal(kDrivers + pictures);
-}
-
-gl::DeviceInfo device(const std::string& renderer, const std::string& version) {
-    gl::DeviceInfo info;
-    info.renderer = renderer;
-    info.version = version;
-    return info;
 }
 
 const gl::DeviceInfo kBookworm =

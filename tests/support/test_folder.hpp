@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "files/temporary_file.hpp"
@@ -24,3 +26,9 @@ class TestFolder {
   private:
     std::filesystem::path path_;
 };
+
+/// Of a whole file; empty where there is none.
+inline std::string contents(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}

@@ -30,12 +30,12 @@ Colour at(const Image& image, int x, int y) {
 
 constexpr Colour kBlue{20, 40, 200}, kWhite{255, 255, 255};
 
-struct Box {
+struct Extent {
     int left = 1 << 20, top = 1 << 20, right = -1, bottom = -1, pixels = 0;
 };
 /// Around all pixels of a colour; right and bottom are the last of them.
-Box boxOf(const Image& image, const Colour& colour) {
-    Box box;
+Extent extentOf(const Image& image, const Colour& colour) {
+    Extent box;
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
             if (at(image, x, y) != colour) continue;
@@ -138,7 +138,7 @@ TEST_CASE("Text stands where it is put, white in a dark outline", "[image]") {
     for (const int scale : {1, 2, 3}) {
         CAPTURE(scale);
         const Image image = written("gMQ 0.35 s", scale);
-        const Box box = boxOf(image, kWhite);
+        const Extent box = extentOf(image, kWhite);
         CHECK(box.left >= 10);
         CHECK(box.left < 10 + 2 * scale);
         CHECK(box.right < 10 + textWidth("gMQ 0.35 s", scale));
@@ -150,7 +150,7 @@ TEST_CASE("Text stands where it is put, white in a dark outline", "[image]") {
                 for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
                     REQUIRE(at(image, x + dx, y + dy) != kBlue);
             }
-        CHECK(box.pixels == scale * scale * boxOf(written("gMQ 0.35 s", 1), kWhite).pixels);
+        CHECK(box.pixels == scale * scale * extentOf(written("gMQ 0.35 s", 1), kWhite).pixels);
     }
 }
 
@@ -158,10 +158,10 @@ TEST_CASE("Every character is drawn whole, and no two letters or digits look ali
     std::set<std::string> shapes;
     for (char c = '!'; c <= '~'; ++c) {
         CAPTURE(c);
-        const int one = boxOf(written(std::string(1, c), 1), kWhite).pixels;
+        const int one = extentOf(written(std::string(1, c), 1), kWhite).pixels;
         REQUIRE(one > 0);
         // A buffer that is too small would cut a line short.
-        REQUIRE(boxOf(written(std::string(30, c), 1), kWhite).pixels == 30 * one);
+        REQUIRE(extentOf(written(std::string(30, c), 1), kWhite).pixels == 30 * one);
         if (!std::isalnum(c)) continue;
         Image image = plain(40, 40, kBlue);
         drawText(image, 10, 10, std::string(1, c), 2);
@@ -169,7 +169,7 @@ TEST_CASE("Every character is drawn whole, and no two letters or digits look ali
     }
     CHECK(shapes.size() == 26 + 26 + 10);
     CHECK(written("12 \xC2\xB5m", 2).pixels == written("12 ??m", 2).pixels);
-    CHECK(boxOf(written("", 2), kWhite).pixels == 0);
+    CHECK(extentOf(written("", 2), kWhite).pixels == 0);
 }
 
 TEST_CASE("Text is cut off at the picture's edge", "[image]") {

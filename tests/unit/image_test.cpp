@@ -8,6 +8,7 @@
 #include "catch.hpp"
 #include "core/types.hpp"
 #include "files/write_file.hpp"
+#include "support/test_folder.hpp"
 
 namespace fs = std::filesystem;
 using namespace sunder;
@@ -41,11 +42,6 @@ Image noise(int width, int height) {
     for (int i = 0; i < 3 * width * height; ++i)
         image.pixels.push_back(static_cast<std::uint8_t>(random() >> 8));
     return image;
-}
-
-std::string contents(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 void write(const fs::path& path, const std::string& bytes) {

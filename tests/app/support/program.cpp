@@ -320,7 +320,3 @@ void checkRefused(const Result& result, int exitCode, const std::vector<std::str
         CHECK(contains(result.err, part));
     }
 }
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}

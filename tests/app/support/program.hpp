@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "support/contains.hpp"
+
 /// What a run of the program leaves behind, besides files.
 struct Result {
     int exitCode = -1;
@@ -99,5 +101,3 @@ inline const Workplace::Environment kNoGl{{"SUNDER_EGL_DEVICE", "99"}};
 /// The program gave up with this exit code, printed nothing but one line on stderr beginning with
 /// `sunder: `, and that line has all these parts.
 void checkRefused(const Result&, int exitCode, const std::vector<std::string>& parts);
-
-bool contains(const std::string& text, const std::string& part);

@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+#include "gl/context.hpp"
+
+/// One of this name, with this version of its driver.
+inline sunder::gl::DeviceInfo device(const std::string& renderer, const std::string& version) {
+    sunder::gl::DeviceInfo info;
+    info.renderer = renderer;
+    info.version = version;
+    return info;
+}
