@@ -53,11 +53,6 @@ bool ffmpegHasGone(const Workplace& place) {
     return eventually([&] { return kill(process, 0) != 0; });
 }
 
-bool ffmpegIsThere() {
-    return std::system("ffmpeg -version > /dev/null 2>&1 && ffprobe -version > /dev/null 2>&1") ==
-           0;
-}
-
 }  // namespace
 
 TEST_CASE("App: a video that is interrupted is finished with the pictures it has") {

@@ -22,8 +22,8 @@ std::vector<std::string> arguments(const std::vector<std::string>& more,
     return all;
 }
 
-void run(const Workplace& place, const std::vector<std::string>& more,
-         const std::string& size = "320x180") {
+void runWell(const Workplace& place, const std::vector<std::string>& more,
+             const std::string& size = "320x180") {
     const Result result = place.run(arguments(more, size));
     INFO(result.command << "\nstderr: " << result.err);
     REQUIRE(result.exitCode == 0);
@@ -59,11 +59,6 @@ Workplace::Environment withProgram(const Workplace& place, const std::string& na
     return {{"PATH", place.path("bin").string() + ":/usr/bin:/bin"}};
 }
 
-bool ffmpegIsThere() {
-    return std::system("ffmpeg -version > /dev/null 2>&1 && ffprobe -version > /dev/null 2>&1") ==
-           0;
-}
-
 std::string outputOf(const Workplace& place, const std::string& command) {
     const std::string file = place.path("output.txt").string();
     INFO(command);
@@ -80,8 +75,8 @@ std::string outputOf(const Workplace& place, const std::string& command) {
 TEST_CASE("App: a contact sheet has the frames that were asked for, each with its time") {
     const Workplace place;
     place.write("wall.toml", scenes::kBreaking);
-    run(place, {"--frames", "30", "--frames-png", "1", "--contact-sheet", "sheet.png",
-                "--sheet-times", "0.5,0,0.049,0.05,0.21"});
+    runWell(place, {"--frames", "30", "--frames-png", "1", "--contact-sheet", "sheet.png",
+                    "--sheet-times", "0.5,0,0.049,0.05,0.21"});
     const Image sheet = sunder::readPng(place.path("sheet.png"));
     const Image expected = expectedSheet(
         place, {{0, "0.00 s"}, {3, "0.05 s"}, {13, "0.22 s"}, {30, "0.50 s"}});  // 13/60 = 0.2167
@@ -94,7 +89,7 @@ TEST_CASE("App: left to itself, a contact sheet begins with the first event") {
     std::string scene = scenes::kBreaking;
     scene.replace(scene.find("time = 0\n"), 9, "time = 0.1\n");
     place.write("wall.toml", scene);
-    run(place, {"--frames", "50", "--frames-png", "1", "--contact-sheet", "sheet.png"});
+    runWell(place, {"--frames", "50", "--frames-png", "1", "--contact-sheet", "sheet.png"});
     // From frame 6 on, 44 more in the squares of elevenths, but at least one frame each.
     CHECK(sunder::readPng(place.path("sheet.png")).pixels == expectedSheet(place, {{6, "0.10 s"},
                                                                                    {7, "0.12 s"},
@@ -114,8 +109,8 @@ TEST_CASE("App: left to itself, a contact sheet begins with the first event") {
 TEST_CASE("App: without an event a contact sheet is spread evenly over the run") {
     const Workplace place;
     place.write("wall.toml", scenes::kFalling);
-    run(place,
-        {"--frames", "22", "--fps", "200", "--frames-png", "1", "--contact-sheet", "sheet.png"});
+    runWell(place, {"--frames", "22", "--fps", "200", "--frames-png", "1", "--contact-sheet",
+                    "sheet.png"});
     std::vector<std::pair<int, std::string>> frames;
     for (int hundredth = 0; hundredth <= 11; ++hundredth)
         frames.push_back({2 * hundredth, hundredth < 10
@@ -127,7 +122,7 @@ TEST_CASE("App: without an event a contact sheet is spread evenly over the run")
 TEST_CASE("App: a run of few frames has each of them on its sheet once, and no other pictures") {
     const Workplace place;
     place.write("wall.toml", scenes::kFalling);
-    run(place, {"--frames", "2", "--frames-png", "0", "--contact-sheet", "o/sheet.png"});
+    runWell(place, {"--frames", "2", "--frames-png", "0", "--contact-sheet", "o/sheet.png"});
     CHECK(place.contents() ==
           std::set<std::string>{"o", "o/report.json", "o/sheet.png", "wall.toml"});
     CHECK(sunder::readPng(place.path("o/sheet.png")).width ==
@@ -139,7 +134,7 @@ TEST_CASE("App: --colour changes walls and adds a legend") {
     place.write("wall.toml", scenes::kBreaking);
     std::set<std::string> pictures;
     for (const std::string colour : {"material", "stress", "speed", "piece"}) {
-        run(place, {"--colour", colour, "--frames", "3", "--frames-png", "3"});
+        runWell(place, {"--colour", colour, "--frames", "3", "--frames-png", "3"});
         const Image image = framePng(place, 3);
         pictures.emplace(image.pixels.begin(), image.pixels.end());
     }
@@ -202,7 +197,7 @@ TEST_CASE("App: a video has every frame of the run, and their colours") {
     const Workplace place;
     place.write("wall.toml", scenes::kBreaking);
     const std::string name = "-a 'wall' $(touch harm) \"%d\".mp4";  // no shell, no option
-    run(place, {"--frames", "7", "--fps", "30", "--frames-png", "7", "--video=" + name});
+    runWell(place, {"--frames", "7", "--fps", "30", "--frames-png", "7", "--video=" + name});
     CHECK(place.contents() == std::set<std::string>{name, "o", "o/frame_0000.png",
                                                     "o/frame_0007.png", "o/report.json",
                                                     "wall.toml"});
@@ -238,7 +233,7 @@ TEST_CASE("App: ffmpeg's own refusals come before the run") {
         CHECK(place.contents() == std::set<std::string>{"wall.toml"});
     }
     // H.264 takes even sizes only; the video has a line more.
-    run(place, {"--frames-png", "0", "--video", "odd.mkv"}, "33x17");
+    runWell(place, {"--frames-png", "0", "--video", "odd.mkv"}, "33x17");
     CHECK(outputOf(place, "ffprobe -v error -show_entries stream=width,height -of csv=p=0 '" +
                               place.path("odd.mkv").string() + "'") == "34,18\n");
 }

@@ -9,14 +9,6 @@
 
 #ifndef _WIN32
 
-namespace {
-
-bool ffmpegIsThere() {
-    return std::system("ffmpeg -version > /dev/null 2>&1") == 0;
-}
-
-}  // namespace
-
 TEST_CASE("App: killed while it draws, every picture is whole and there is no video yet") {
     std::vector<std::string> arguments{"run",      "ok.toml", "--solver",     "cpu",
                                        "--frames", "20000",   "--size",       "320x180",
