@@ -37,7 +37,7 @@ nlohmann::json numbers(const Vec3& v) {
     return numbers({v[0], v[1], v[2]});
 }
 
-std::string shortNumber(double value) {
+std::string threeDigits(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g", value);
     return text;
@@ -170,12 +170,12 @@ std::string reportText(const Scene& scene, const World& world, const State& stat
         text << ", " << *facts.bodiesOnGpu << " of " << world.bodies().size()
              << " bodies on the GPU at the end";
     text << "\nbonds broken " << d.bondsBroken << " of " << world.bondCount() << ", pieces "
-         << d.pieces << ", fastest node " << shortNumber(d.maxSpeed) << " m/s, "
-         << shortNumber(percentile(facts.msPerStep, 0.5)) << " ms per step\n";
+         << d.pieces << ", fastest node " << threeDigits(d.maxSpeed) << " m/s, "
+         << threeDigits(percentile(facts.msPerStep, 0.5)) << " ms per step\n";
     const IncidentTally& tally = facts.incidents;
     text << "incidents: " << tally.breaks << " breaks, " << tally.contacts << " contacts";
     if (!tally.strongest.empty())
-        text << ", up to " << shortNumber(tally.strongest.front().impulse) << " N·s";
+        text << ", up to " << threeDigits(tally.strongest.front().impulse) << " N·s";
     if (tally.dropped > 0)
         text << "; " << tally.dropped << " more than there was room for (" << tally.capacity
              << " at a time)";

@@ -17,15 +17,15 @@ constexpr double kSunkCells = 0.5;
 constexpr double kSunkObjects = 1.0 / 3;
 
 /// A sphere in the middle of a cell, or an object.
-struct Part {
+struct Solid {
     RoundedBox box;
     int thing;  ///< body, or the number of bodies + object
     bool cell;
     double thickness() const { return 2 * (box.half.minCoeff() + box.radius); }
 };
 
-std::vector<Part> partsOf(const World& world, const State& state) {
-    std::vector<Part> parts;
+std::vector<Solid> solidsOf(const World& world, const State& state) {
+    std::vector<Solid> solids;
     for (int cell = 0; cell < world.cellCount(); ++cell) {
         if (!world.present(cell)) continue;
         Vec3 centre = Vec3::Zero();
@@ -34,14 +34,14 @@ std::vector<Part> partsOf(const World& world, const State& state) {
         if (!centre.allFinite()) continue;
         const int body = world.bodyOf(cell);
         const double radius = world.bodies()[body].cellSize.minCoeff() / 2;
-        parts.push_back({{centre, Mat3::Identity(), Vec3::Zero(), radius}, body, true});
+        solids.push_back({{centre, Mat3::Identity(), Vec3::Zero(), radius}, body, true});
     }
     const int bodies = static_cast<int>(world.bodies().size());
     for (std::size_t i = 0; i < state.objects.size(); ++i)
         if (state.objects[i].present)
-            parts.push_back(
+            solids.push_back(
                 {boxOf(world.objects()[i], state.objects[i]), bodies + static_cast<int>(i), false});
-    return parts;
+    return solids;
 }
 
 Box boundsOf(const RoundedBox& box) {
@@ -50,7 +50,7 @@ Box boundsOf(const RoundedBox& box) {
 }
 
 /// m; 0: no more than things in touch.
-double sunkDepth(const Part& a, const Part& b) {
+double sunkDepth(const Solid& a, const Solid& b) {
     if (a.cell && b.cell) {
         const double radii = a.box.radius + b.box.radius;
         const double depth = radii - (a.box.centre - b.box.centre).norm();
@@ -80,21 +80,21 @@ std::string nameOf(const World& world, int thing) {
 
 std::vector<Sunk> sunkThings(const World& world, const State& state) {
     if (!world.description().contact) return {};
-    const std::vector<Part> parts = partsOf(world, state);
+    const std::vector<Solid> solids = solidsOf(world, state);
     std::vector<Box> boxes;
-    for (const Part& part : parts) boxes.push_back(boundsOf(part.box));
+    for (const Solid& solid : solids) boxes.push_back(boundsOf(solid.box));
     const int bodies = static_cast<int>(world.bodies().size());
     std::map<std::pair<int, int>, Sunk> sunk;
     forEachOverlap(boxes, [&](int i, int j) {
-        const auto [a, b] = std::minmax(parts[i].thing, parts[j].thing);
+        const auto [a, b] = std::minmax(solids[i].thing, solids[j].thing);
         if (a == b || (b < bodies && world.parting(a, b))) return;
         if (still(world, a) && still(world, b)) return;
-        const double depth = sunkDepth(parts[i], parts[j]);
+        const double depth = sunkDepth(solids[i], solids[j]);
         if (depth <= 0) return;
         Sunk& pair = sunk[{a, b}];
         if (depth <= pair.depth) return;
         pair = {nameOf(world, a), nameOf(world, b), depth,
-                std::min(parts[i].thickness(), parts[j].thickness())};
+                std::min(solids[i].thickness(), solids[j].thickness())};
     });
     std::vector<Sunk> all;
     for (auto& [things, pair] : sunk) all.push_back(std::move(pair));

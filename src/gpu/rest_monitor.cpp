@@ -12,7 +12,7 @@ namespace sunder::gpu {
 namespace {
 
 constexpr int kCellsPerChunk = kCellsPerRestBox;
-constexpr std::int64_t kHasteUnit = 16384;  ///< glsl/gather/rest.frag
+constexpr std::int64_t kRestHasteUnit = 16384;  ///< glsl/gather/rest.frag
 
 /// First cell and number of cells of every chunk; a chunk lies within one body.
 std::vector<GLuint> chunksOf(const World& world) {
@@ -100,8 +100,8 @@ RestMonitor::News RestMonitor::take(const Answer& answer, std::int64_t now) {
             const vec4& some = unrest[chunk];
             all = {std::max(all.x, some.x), std::max(all.y, some.y), std::max(all.z, some.z), 0};
             const auto leftOut = std::llround(some.w);
-            news.dropped += leftOut % kHasteUnit;
-            news.haste[index] = std::max(news.haste[index], hasteOf(leftOut / kHasteUnit));
+            news.dropped += leftOut % kRestHasteUnit;
+            news.haste[index] = std::max(news.haste[index], hasteOf(leftOut / kRestHasteUnit));
             if (some.z >= 2) news.hit.push_back(static_cast<int>(some.z) - 2);
         }
         const float limit = all.z > 0 ? body.creepSpeed2 : body.calmSpeed2;

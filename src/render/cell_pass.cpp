@@ -7,7 +7,7 @@
 namespace sunder {
 namespace {
 
-gl::ProgramDescription describe(CellPass::Output output) {
+gl::ProgramDescription describeCells(CellPass::Output output) {
     gl::ProgramDescription description{.vertex = "draw/cells.vert", .geometry = "draw/cells.geom"};
     switch (output) {
         case CellPass::Output::Depth:
@@ -36,7 +36,7 @@ gl::ProgramDescription describe(CellPass::Output output) {
 
 CellPass::CellPass(Output output, const gpu::WorldBuffers& buffers,
                    const gl::VertexArray& noAttributes)
-    : buffers_(buffers), noAttributes_(noAttributes), program_(describe(output)) {
+    : buffers_(buffers), noAttributes_(noAttributes), program_(describeCells(output)) {
     prepareWallState(program_);
     Shading::prepare(program_);
 }

@@ -16,7 +16,7 @@ constexpr int kLineSegments = 2;  // fewer: lines would hide one another
 constexpr int kLinkSegments = 2;
 constexpr double kMostLinks = 400;
 
-gl::ProgramDescription describe(CellPass::Output output) {
+gl::ProgramDescription describeObjects(CellPass::Output output) {
     gl::ProgramDescription description{.vertex = "draw/objects.vert"};
     if (output == CellPass::Output::Shaded) description.fragment = "draw/objects.frag";
     if (output == CellPass::Output::Lines) {
@@ -38,7 +38,7 @@ ObjectPass::ObjectPass(CellPass::Output output, const World& world,
                        const gpu::WorldBuffers& buffers, const gl::VertexArray& noAttributes)
     : buffers_(buffers),
       noAttributes_(noAttributes),
-      program_(describe(output)),
+      program_(describeObjects(output)),
       segments_(output == CellPass::Output::Lines ? kLineSegments : kSegments) {
     program_.bindSampler("objects", kObjectUnit);
     program_.bindSampler("places", kPlaceUnit);

@@ -82,20 +82,20 @@ std::vector<Moved> movedVertices(const World& world, const State& state, const D
     return result;
 }
 
-Image cutOut(const World& world, const State& state, const CameraDescription& camera,
+Image cutOut(Painter& painter, const State& state, const CameraDescription& camera,
              const glm::vec3& background, DrawnMesh mesh) {
     RenderSettings settings;
     settings.mesh = mesh;
     settings.background = background;
-    return picture(world, state, camera, settings);
+    return painter.picture(state, camera, settings);
 }
 
 /// Per pixel: whether anything of the background shows in any sample. Two backgrounds tell, however
 /// the wall is coloured.
-std::vector<bool> backgroundShows(const World& world, const State& state,
+std::vector<bool> backgroundShows(Painter& painter, const State& state,
                                   const CameraDescription& camera, DrawnMesh mesh) {
-    const Image a = cutOut(world, state, camera, {1, 0, 1}, mesh);
-    const Image b = cutOut(world, state, camera, {0, 1, 0}, mesh);
+    const Image a = cutOut(painter, state, camera, {1, 0, 1}, mesh);
+    const Image b = cutOut(painter, state, camera, {0, 1, 0}, mesh);
     std::vector<bool> shows;
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) shows.push_back(difference(a, b, x, y) > 0);
@@ -104,10 +104,10 @@ std::vector<bool> backgroundShows(const World& world, const State& state,
 
 /// Pixels through which the display mesh shows the background well inside of the simulation mesh's
 /// outline: none of the pixels around them shows it there.
-int holes(const World& world, const State& state, const CameraDescription& camera, int& inside) {
+int holes(Painter& painter, const State& state, const CameraDescription& camera, int& inside) {
     const std::vector<bool> simulation =
-        backgroundShows(world, state, camera, DrawnMesh::Simulation);
-    const std::vector<bool> display = backgroundShows(world, state, camera, DrawnMesh::Display);
+        backgroundShows(painter, state, camera, DrawnMesh::Simulation);
+    const std::vector<bool> display = backgroundShows(painter, state, camera, DrawnMesh::Display);
     int count = 0;
     inside = 0;
     for (int y = 2; y < kHeight - 2; ++y)
@@ -203,6 +203,7 @@ TEST_CASE("no background shows through an intact wall, straight or bent, from an
           "[display][long]") {
     for (const char* material : kMaterials) {
         const World world(presetWall(material, 0));
+        Painter painter(world);
         for (const double far : {0.0, 0.3}) {
             const State state = bent(world, far);
             for (const Vec3& eye : {Vec3(0, 0.6, 2.1), Vec3(1.7, 1.5, 1.2), Vec3(-1.2, 0.3, -1.6),
@@ -212,7 +213,7 @@ TEST_CASE("no background shows through an intact wall, straight or bent, from an
                 camera.position = eye;
                 camera.target = {0, 0.6, 0};
                 int inside = 0;
-                CHECK(holes(world, state, camera, inside) == 0);
+                CHECK(holes(painter, state, camera, inside) == 0);
                 CHECK(inside > kWidth * kHeight / 25);
             }
         }
@@ -228,14 +229,15 @@ TEST_CASE("a broken wall of every material covers what it should, in more than o
         CameraDescription camera;
         camera.position = {0, 0.6, 2.4};
         camera.target = {0, 0.6, 0};
+        Painter painter(world);
         const State rest = world.initialState();
         const State broken = afterFrames(world, 15);
         int shown[2], colours[2];
         int i = 0;
         for (const State* state : {&rest, &broken}) {
             const std::vector<bool> shows =
-                backgroundShows(world, *state, camera, DrawnMesh::Display);
-            const Image image = cutOut(world, *state, camera, {1, 0, 1}, DrawnMesh::Display);
+                backgroundShows(painter, *state, camera, DrawnMesh::Display);
+            const Image image = cutOut(painter, *state, camera, {1, 0, 1}, DrawnMesh::Display);
             std::set<int> seen;
             shown[i] = 0;
             for (int y = 0; y < kHeight; ++y)
@@ -264,16 +266,17 @@ TEST_CASE("a broken wall of every material covers what it should, in more than o
 
 TEST_CASE("a pane of glass is seen where it is, and less of it once it is shattered", "[display]") {
     const World world(presetWall("glass", 15));
+    Painter painter(world);
     CameraDescription camera;
     camera.position = {0, 0.6, 2.4};
     camera.target = {0, 0.6, 0};
     const glm::vec3 white(1);  // whatever glass does to it makes it darker
-    const Image empty = cutOut(world, nowhere(world), camera, white, DrawnMesh::Display);
+    const Image empty = cutOut(painter, nowhere(world), camera, white, DrawnMesh::Display);
     const glm::vec2 low = project(world, camera, {-0.8f, 1.2f, 0.05f});
     const glm::vec2 high = project(world, camera, {0.8f, 0, 0.05f});
     const double front = (high.x - low.x) * (high.y - low.y);
     const auto seen = [&](const State& state) {
-        return differing(cutOut(world, state, camera, white, DrawnMesh::Display), empty, 2);
+        return differing(cutOut(painter, state, camera, white, DrawnMesh::Display), empty, 2);
     };
     const int whole = seen(world.initialState());
     CHECK(whole == Approx(front).epsilon(0.03));
@@ -284,14 +287,15 @@ TEST_CASE("a pane of glass is seen where it is, and less of it once it is shatte
 
 TEST_CASE("a crack shows before it opens, and only along the broken bonds", "[display]") {
     const World world(presetWall("concrete", 0));
+    Painter painter(world);
     const Body& wall = world.bodies()[0];
     State state = world.initialState();
     for (int row = 3; row < 9; ++row) breakBond(state, wall.cellAt({7, row, 0}), 0);
     CameraDescription camera;
     camera.position = {0, 0.6, 1.2};
     camera.target = {0, 0.6, 0};
-    const Image intact = cutOut(world, world.initialState(), camera, {1, 0, 1}, DrawnMesh::Display);
-    const Image cracked = cutOut(world, state, camera, {1, 0, 1}, DrawnMesh::Display);
+    const Image intact = cutOut(painter, world.initialState(), camera, {1, 0, 1}, DrawnMesh::Display);
+    const Image cracked = cutOut(painter, state, camera, {1, 0, 1}, DrawnMesh::Display);
     const glm::vec2 top = project(world, camera, {0, 0.9f, 0.05f});
     const glm::vec2 bottom = project(world, camera, {0, 0.3f, 0.05f});
     // Edge points and corners lie within half a cell of where the bonds are: 12 pixels.

@@ -41,21 +41,25 @@ State nowhere(const World& world) {
     return shifted(world, {0, -500, 0});
 }
 
-Image picture(const World& world, const State& state, const CameraDescription& camera,
-              RenderSettings settings) {
-    gl::Context& context = testContext();
-    const gpu::WorldBuffers buffers(world);
-    gpu::StateUpload upload(world);
-    Renderer renderer(world, buffers);
+Painter::Painter(const World& world)
+    : buffers_((testContext(), world)), upload_(world), renderer_(world, buffers_) {}
+
+Image Painter::picture(const State& state, const CameraDescription& camera,
+                       RenderSettings settings) {
     settings.width = kWidth;
     settings.height = kHeight;
-    Image image = renderer.draw(upload.upload(state), camera, settings);
-    const std::vector<std::string> errors = context.takeErrors();
+    Image image = renderer_.draw(upload_.upload(state), camera, settings);
+    const std::vector<std::string> errors = testContext().takeErrors();
     CAPTURE(errors);
     CHECK(errors.empty());
     REQUIRE(image.width == kWidth);
     REQUIRE(image.height == kHeight);
     return image;
+}
+
+Image picture(const World& world, const State& state, const CameraDescription& camera,
+              RenderSettings settings) {
+    return Painter(world).picture(state, camera, settings);
 }
 
 Image picture(const World& world, const State& state, const CameraDescription& camera,

@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 
+#include "gpu/world_buffers.hpp"
 #include "render/camera.hpp"
 #include "render/renderer.hpp"
 
@@ -18,7 +19,21 @@ State shifted(const World& world, const Vec3& by);
 /// Out of every picture: what is left is the background.
 State nowhere(const World& world);
 
-/// Draws, of the size above, and checks that GL found nothing wrong.
+/// Draws pictures of one world, of the size above, and checks that GL found nothing wrong. To make
+/// one takes longer than to draw with it.
+class Painter {
+  public:
+    /// `world` must outlive it.
+    explicit Painter(const World& world);
+    Image picture(const State& state, const CameraDescription& camera, RenderSettings settings);
+
+  private:
+    gpu::WorldBuffers buffers_;
+    gpu::StateUpload upload_;
+    Renderer renderer_;
+};
+
+/// One picture, by a painter of its own.
 Image picture(const World& world, const State& state, const CameraDescription& camera,
               RenderSettings settings);
 Image picture(const World& world, const State& state, const CameraDescription& camera,

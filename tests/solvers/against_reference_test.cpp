@@ -126,6 +126,9 @@ TEST_CASE("from the same snapshot, one step breaks the same bonds", "[long]") {
         description.fractureInterval = 1;
         const World world(description);
         ReferenceSolver reference(world);
+        const std::vector<SolverUnderTest> under = solversUnderTest();
+        std::vector<std::unique_ptr<Solver>> solvers;
+        for (const SolverUnderTest& each : under) solvers.push_back(each.make(world));
         std::size_t broke = 0, snapshots = 0;
         for (int step = 0; step < 300; ++step) {
             const State before = reference.state();
@@ -135,12 +138,11 @@ TEST_CASE("from the same snapshot, one step breaks the same bonds", "[long]") {
             if (!news && step % 50 != 0) continue;
             broke += brokenBonds(after).size() - brokenBonds(before).size();
             ++snapshots;
-            for (const SolverUnderTest& under : solversUnderTest()) {
-                INFO(under.name << ", " << toString(mode) << ", step " << step);
-                const auto solver = under.make(world);
-                solver->setState(before);
-                solver->advance(1);
-                const State state = solver->state();
+            for (std::size_t i = 0; i < under.size(); ++i) {
+                INFO(under[i].name << ", " << toString(mode) << ", step " << step);
+                solvers[i]->setState(before);
+                solvers[i]->advance(1);
+                const State state = solvers[i]->state();
                 CHECK(brokenBonds(state) == brokenBonds(after));
                 for (std::size_t bond = 0; bond < after.damage.size(); ++bond) {
                     CHECK(state.damage[bond] == Approx(after.damage[bond]).margin(1e-4));

@@ -26,7 +26,7 @@ TEST_CASE("a heavy object stands on a light one, and a tower whose masses double
         add(ratio, 1 + pairs++, 1.5 * size);
     }
     const World world(d);
-    for (const SolverUnderTest& under : touchingSolvers()) {
+    for (const SolverUnderTest& under : contactSolvers()) {
         INFO(under.name);
         const auto solver = under.make(world);
         // Those that sleep no longer move; of the others, `reference` stands for ten seconds.

@@ -142,7 +142,7 @@ TEST_CASE("bodies that are in each other part, at no more than the parting speed
         if (speed != 1) d.bodies = {d.bodies[2], d.bodies[3]};
         const World world(d);
         REQUIRE(2 * world.partings().size() == d.bodies.size());
-        for (const SolverUnderTest& under : touchingSolvers()) {
+        for (const SolverUnderTest& under : contactSolvers()) {
             INFO(under.name << ", " << speed << " m/s");
             const auto solver = under.make(world);
             // The way out is 0.3 m at most, or 0.05 m, at 0.4 times the speed and somewhat slower
@@ -243,7 +243,7 @@ TEST_CASE("objects that are in the ground, a wall or each other part gently", "[
     add(d, ObjectShape::Box, {0.1, 0.1, 0.1}, 0.5, {2.03, 1.22, 3.04});
     add(d, ObjectShape::Sphere, {0.12, 0.12, 0.12}, 2, {0.03, 1.23, -2.99});
     const World world(d);
-    for (const SolverUnderTest& under : touchingSolvers()) {
+    for (const SolverUnderTest& under : contactSolvers()) {
         INFO(under.name);
         const auto solver = under.make(world);
         const State state = checkGentle(world, *solver, 3600);

@@ -115,3 +115,13 @@ double largestDifference(const std::vector<Vec3>& a, const std::vector<Vec3>& b)
     for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).norm());
     return largest;
 }
+
+double momentumScale(const World& world, const State& state) {
+    double sum = 0;
+    for (int node = 0; node < world.nodeCount(); ++node)
+        sum += world.nodeMass(node) * state.velocity[node].norm();
+    for (std::size_t i = 0; i < state.objects.size(); ++i)
+        if (world.objects()[i].inverseMass > 0)
+            sum += state.objects[i].velocity.norm() / world.objects()[i].inverseMass;
+    return sum;
+}

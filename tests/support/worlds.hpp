@@ -42,3 +42,5 @@ int tornNodes(const sunder::World&, const sunder::State&);
 sunder::State roundedToSingle(sunder::State state);
 /// By how much a node's displacement or velocity differs at most.
 double largestDifference(const std::vector<sunder::Vec3>& a, const std::vector<sunder::Vec3>& b);
+/// kg·m/s, of nodes and objects without regard to direction: what momenta are compared with.
+double momentumScale(const sunder::World&, const sunder::State&);

@@ -6,15 +6,12 @@
 
 #include "catch.hpp"
 #include "image/image.hpp"
+#include "support/ffmpeg.hpp"
 #include "viewer_under_test.hpp"
 
 namespace fs = std::filesystem;
 
 namespace {
-
-bool haveFfmpeg() {
-    return std::system("ffmpeg -version > /dev/null 2>&1") == 0;
-}
 
 /// Videos and their beginnings.
 std::set<std::string> videosIn(const fs::path& folder) {
@@ -45,7 +42,7 @@ std::string endlessFfmpeg(const fs::path& folder) {
 }  // namespace
 
 TEST_CASE("A viewer that is interrupted finishes its video and keeps its settings", "[viewer]") {
-    if (!haveFfmpeg()) {
+    if (!ffmpegIsThere()) {
         WARN("left out: no ffmpeg");
         return;
     }
@@ -94,7 +91,7 @@ TEST_CASE("A viewer that is interrupted while it shows a wall keeps its settings
 }
 
 TEST_CASE("What another saves meanwhile is not lost", "[viewer]") {
-    if (!haveFfmpeg()) {
+    if (!ffmpegIsThere()) {
         WARN("left out: no ffmpeg");
         return;
     }

@@ -6,6 +6,7 @@
 
 #include "catch.hpp"
 #include "pictures.hpp"
+#include "support/ffmpeg.hpp"
 #include "viewer_under_test.hpp"
 
 using Json = nlohmann::json;
@@ -24,10 +25,6 @@ double windowDifference(const sunder::Image& window, int left, int top,
                 wrong += window.pixels[3 * (std::size_t(y + top) * window.width + x + left) + c] !=
                          picture.pixels[3 * (std::size_t(y) * picture.width + x) + c];
     return static_cast<double>(wrong) / (3.0 * picture.width * rows);
-}
-
-bool haveFfmpeg() {
-    return std::system("command -v ffmpeg > /dev/null") == 0;
 }
 
 std::vector<std::string> sceneNames() {
@@ -143,7 +140,7 @@ TEST_CASE("A picture has the pixels of the window, and those of `sunder run`", "
 }
 
 TEST_CASE("A video is recorded while it is asked for", "[viewer]") {
-    if (!haveFfmpeg()) {
+    if (!ffmpegIsThere()) {
         WARN("left out: no ffmpeg");
         return;
     }

@@ -3,6 +3,7 @@
 #include "app/support/scenes.hpp"
 #include "catch.hpp"
 #include "image/image.hpp"
+#include "support/ffmpeg.hpp"
 
 #ifndef _WIN32
 

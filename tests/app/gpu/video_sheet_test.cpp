@@ -9,6 +9,7 @@
 #include "image/contact_sheet.hpp"
 #include "image/image.hpp"
 #include "image/scaling.hpp"
+#include "support/ffmpeg.hpp"
 
 using sunder::Image;
 

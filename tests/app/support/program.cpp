@@ -250,11 +250,6 @@ Result RunningProgram::wait() {
     REQUIRE(eventually([&] { return !running(); }));
     return {code_, contentsOf(out_), contentsOf(err_), command_};
 }
-
-bool ffmpegIsThere() {
-    return std::system("ffmpeg -version > /dev/null 2>&1 && ffprobe -version > /dev/null 2>&1") ==
-           0;
-}
 #endif
 
 Result Workplace::runInShell(const std::string& before, const std::vector<std::string>& arguments,

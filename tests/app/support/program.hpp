@@ -98,11 +98,6 @@ class Workplace {
 /// No OpenGL context can be had: what works with this needs none.
 inline const Workplace::Environment kNoGl{{"SUNDER_EGL_DEVICE", "99"}};
 
-#ifndef _WIN32
-/// With ffprobe, which is packaged with it.
-bool ffmpegIsThere();
-#endif
-
 /// The program gave up with this exit code, printed nothing but one line on stderr beginning with
 /// `sunder: `, and that line has all these parts.
 void checkRefused(const Result&, int exitCode, const std::vector<std::string>& parts);
