@@ -27,7 +27,7 @@ PACKAGES = {
     'glm': ('glm', ['glm::glm'], 'include',
             ['glm/glm.hpp', 'glm/mat3x3.hpp', 'glm/vec3.hpp', 'glm/vec4.hpp', 'glm/gtc/matrix_inverse.hpp',
              'glm/gtc/matrix_transform.hpp', 'glm/gtc/type_ptr.hpp']),
-    'hwy': ('hwy', ['hwy::hwy'], 'include', ['hwy/foreach_target.h', 'hwy/highway.h']),
+    'hwy': ('hwy', ['hwy::hwy'], 'include', ['hwy/base.h', 'hwy/foreach_target.h', 'hwy/highway.h']),
     'imgui': ('imgui', ['imgui::imgui'], 'include',
               ['imgui.h', 'imgui_impl_glfw.h', 'imgui_impl_opengl3.h', 'imgui_stdlib.h']),
     'nlohmann_json': ('nlohmann_json', ['nlohmann_json::nlohmann_json'], 'include', ['nlohmann/json.hpp']),
