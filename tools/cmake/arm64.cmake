@@ -15,4 +15,8 @@ endforeach()
 # Libraries that libraries need.
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-Wl,-rpath-link,${root}/usr/lib/aarch64-linux-gnu")
 
-set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64-static -L ${root})
+# By its path: a test may have a PATH without it.
+find_program(SUNDER_QEMU qemu-aarch64-static)
+if(SUNDER_QEMU)
+  set(CMAKE_CROSSCOMPILING_EMULATOR ${SUNDER_QEMU} -L ${root})
+endif()
