@@ -294,7 +294,8 @@ TEST_CASE("a crack shows before it opens, and only along the broken bonds", "[di
     CameraDescription camera;
     camera.position = {0, 0.6, 1.2};
     camera.target = {0, 0.6, 0};
-    const Image intact = cutOut(painter, world.initialState(), camera, {1, 0, 1}, DrawnMesh::Display);
+    const Image intact =
+        cutOut(painter, world.initialState(), camera, {1, 0, 1}, DrawnMesh::Display);
     const Image cracked = cutOut(painter, state, camera, {1, 0, 1}, DrawnMesh::Display);
     const glm::vec2 top = project(world, camera, {0, 0.9f, 0.05f});
     const glm::vec2 bottom = project(world, camera, {0, 0.3f, 0.05f});
