@@ -13,7 +13,7 @@ enum class ConstitutiveLaw {
     Corotated,  ///< linear elasticity in the element's rotated frame; survives strong compression
 };
 
-/// What breaks the material (shared/fracture.md; README, "How things break").
+/// What breaks the material (docs/fracture.md).
 enum class FractureMode {
     None,
     Cell,  ///< the thesis: a cell whose stress exceeds maxStress leaves all its neighbours

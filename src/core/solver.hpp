@@ -18,8 +18,8 @@ class PassObserver {
     virtual void wrote(std::string_view pass, std::span<const float> values) = 0;
 };
 
-/// Advances a world in time. Every solver means the same physics (shared contract: README,
-/// "Solvers").
+/// Advances a world in time. Every solver means the same physics (shared contract:
+/// docs/solvers.md#what-they-share).
 class Solver {
   public:
     virtual ~Solver() = default;

@@ -21,7 +21,7 @@ Vec3 towardsClusterBoundary(const Material&, const Vec3& p, std::span<const Vec3
                             const Vec3& reach, std::uint64_t seed);
 
 /// Strength in Pa of the bond between cells centred at `a` and `b` = a + one cell along `axis`
-/// (shared/fracture.md, point 6). `bond` names the bond for the random factor.
+/// (docs/fracture.md, point 8). `bond` names the bond for the random factor.
 double bondStrength(const Material&, const Vec3& a, const Vec3& b, int axis, std::uint64_t bond,
                     std::uint64_t seed);
 

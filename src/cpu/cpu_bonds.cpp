@@ -40,7 +40,7 @@ HWY_INLINE Traction select(Mask m, const Traction& yes, const Traction& no) {
     return {hn::IfThenElse(m, yes.normal, no.normal), hn::IfThenElse(m, yes.shear, no.shear)};
 }
 
-/// shared/fracture.md, points 2 to 5, for the lanes in `holds`.
+/// docs/fracture.md, points 3 to 7, for the lanes in `holds`.
 HWY_INLINE void loadBond(const BodyArrays& body, int cell, int axis, float interval, Mask holds,
                          V strength, V& damage, V& slow) {
     Traction first = faceTraction(body, cell, axis, kOnFace[axis][0]);
