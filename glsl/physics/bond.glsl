@@ -1,4 +1,4 @@
-// `fracture = "bond"`: a face between two cells breaks by traction and damage.
+// `fracture = "bond"`: a face between two cells breaks by traction and damage (docs/fracture.md, points 3 to 7).
 #include "shared/layout.h"
 
 const float kSuddenStress = 5.0;  // src/core/world.hpp
