@@ -1,4 +1,4 @@
-// A vertex of the mesh that is seen (src/core/display_mesh.hpp; thesis, chapter 8): bound by barycentric coordinates to a
+// A vertex of the mesh that is seen (src/surface/display_mesh.hpp; thesis, chapter 8): bound by barycentric coordinates to a
 // tetrahedron of the simulation mesh, straight from the solver's node buffer. displayedPosition() is the same on the CPU.
 #include "shared/layout.h"
 #include "shared/display_vertex.h"

@@ -1,4 +1,4 @@
-// The code of a display vertex: how it belongs to its cell. Compiles as C++ (src/core/display_mesh.hpp) and as GLSL.
+// The code of a display vertex: how it belongs to its cell. Compiles as C++ (src/surface/display_mesh.hpp) and as GLSL.
 
 // Two bits per axis, x lowest: 0 inside the cell's extent, 1 on its low plane, 2 on its high plane. Planes where the body ends
 // do not count.

@@ -18,6 +18,9 @@
 #include "gl/context.hpp"
 
 namespace sunder::app {
+
+using namespace core;
+
 namespace {
 
 struct BenchOptions {
@@ -44,11 +47,11 @@ BenchLimits limitsFor(const BenchOptions& options) {
 
 /// All solvers, or those the user names, threaded ones once per thread count.
 std::vector<Entrant> entrants(const BenchOptions& options, bool gl) {
-    std::vector<const SolverInfo*> chosen;
+    std::vector<const sim::SolverInfo*> chosen;
     for (const std::string& name : options.solvers)
-        chosen.push_back(&findSolver(name, "--solvers"));
+        chosen.push_back(&sim::findSolver(name, "--solvers"));
     if (chosen.empty())
-        for (const SolverInfo& solver : solvers())
+        for (const sim::SolverInfo& solver : sim::solvers())
             if (gl || !solver.gpu) chosen.push_back(&solver);
     std::vector<int> threads = options.threads;
     if (threads.empty()) {
@@ -56,13 +59,13 @@ std::vector<Entrant> entrants(const BenchOptions& options, bool gl) {
         if (coreCount() > 1) threads.push_back(coreCount());
     }
     std::vector<Entrant> result;
-    const auto add = [&](const SolverInfo* solver, int count) {
+    const auto add = [&](const sim::SolverInfo* solver, int count) {
         const bool known = std::any_of(result.begin(), result.end(), [&](const Entrant& other) {
             return other.solver == solver && other.threads == count;
         });
         if (!known) result.push_back({solver, count});
     };
-    for (const SolverInfo* solver : chosen) {
+    for (const sim::SolverInfo* solver : chosen) {
         if (!solver->threaded) add(solver, 1);
         if (solver->threaded)
             for (const int count : threads) add(solver, count);
@@ -77,7 +80,8 @@ class Bench {
     int run() {
         // Everything that can be refused is refused before the work.
         entrants(options_, true);
-        Scene scene = hitAtOnce(loadScene(options_.scene.empty() ? "stress" : options_.scene));
+        scene::Scene scene =
+            hitAtOnce(scene::loadScene(options_.scene.empty() ? "stress" : options_.scene));
         if (options_.walls) scene = withWalls(std::move(scene), *options_.walls);
         checkOutputs({{"--json", options_.json}, {"--svg", options_.svg}});
         openContext();
@@ -89,15 +93,15 @@ class Bench {
         measureFrames(scene);
         if (options_.scene.empty()) {
             measureScaling();
-            const Scene wall = scalingScene(middleSize());
+            const scene::Scene wall = scalingScene(middleSize());
             measureBroken(wall);
             measurePeers();
         } else {
             measureBroken(scene);
         }
         if (context_) context_->check();
-        if (!options_.json.empty()) writeFile(options_.json, benchJson(report_));
-        if (!options_.svg.empty()) writeFile(options_.svg, benchSvg(report_));
+        if (!options_.json.empty()) files::writeFile(options_.json, benchJson(report_));
+        if (!options_.svg.empty()) files::writeFile(options_.svg, benchSvg(report_));
         return kDone;
     }
 
@@ -109,7 +113,7 @@ class Bench {
             report_.glVersion = context_->info().version;
         } catch (const ContextError& error) {
             for (const std::string& name : options_.solvers)
-                if (findSolver(name, "--solvers").gpu) throw;
+                if (sim::findSolver(name, "--solvers").gpu) throw;
             std::cerr << "sunder: note: CPU solvers only, and nothing is drawn: " << error.what()
                       << '\n';
         }
@@ -125,8 +129,8 @@ class Bench {
         report_.results.insert(report_.results.end(), results.begin(), results.end());
     }
 
-    void measureFrames(const Scene& scene) {
-        const auto measure = [&](const std::string& part, const Scene& what) {
+    void measureFrames(const scene::Scene& scene) {
+        const auto measure = [&](const std::string& part, const scene::Scene& what) {
             Contest contest(what, entrants_, limits_, context_.get());
             Results results = contest.measure(part);
             contest.measureDrawn(results);
@@ -156,9 +160,9 @@ class Bench {
     }
 
     /// What drawing costs beside simulating.
-    void measurePictures(Contest& contest, const Scene& scene) {
+    void measurePictures(Contest& contest, const scene::Scene& scene) {
         if (!context_) return;
-        Contest gather(scene, {{&findSolver("gather"), 1}}, limits_, context_.get());
+        Contest gather(scene, {{&sim::findSolver("gather"), 1}}, limits_, context_.get());
         const auto measure = [&](const std::string& name, const State& state) {
             DrawingResult& result = report_.drawn.emplace_back(
                 measureDrawing(scene, contest.world(), state, name, limits_));
@@ -174,7 +178,7 @@ class Bench {
         std::vector<double> costs(entrants_.size(), 0);  // s per tetrahedron and step, last size
         for (const int size : scalingSizes()) {
             if (options_.quick && size > 20'000) break;
-            const Scene scene = scalingScene(size);
+            const scene::Scene scene = scalingScene(size);
             const int fewest = fewestSteps(scene.world);
             std::vector<Entrant> fit;
             Results skipped;
@@ -212,7 +216,7 @@ class Bench {
     }
 
     /// The cost of a wall that stands against that of its pieces, and where a GPU's time goes.
-    void measureBroken(const Scene& scene) {
+    void measureBroken(const scene::Scene& scene) {
         Contest contest(scene, entrants_, limits_, context_.get());
         State whole = contest.start();
         // Past all events: it stands untouched.
@@ -238,7 +242,7 @@ class Bench {
     void measurePeers() {
         Results all;
         for (const char* name : {"peer-50x400", "peer-50x400-break"}) {
-            Contest contest(hitAtOnce(loadScene(name)), entrants_, limits_, context_.get());
+            Contest contest(hitAtOnce(scene::loadScene(name)), entrants_, limits_, context_.get());
             Results results = contest.measure("peers");
             contest.measureBreaking(results);
             all.insert(all.end(), results.begin(), results.end());

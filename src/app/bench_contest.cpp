@@ -11,6 +11,9 @@
 #include "balance/balanced_solver.hpp"
 
 namespace sunder::app {
+
+using namespace core;
+
 namespace {
 
 constexpr double kGpuWarmUp = 0.3;  // s
@@ -52,8 +55,8 @@ std::string Entrant::label() const {
     return solver->name + ", " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
 }
 
-Contest::Contest(Scene scene, const std::vector<Entrant>& entrants, const BenchLimits& limits,
-                 const gl::Context* context)
+Contest::Contest(scene::Scene scene, const std::vector<Entrant>& entrants,
+                 const BenchLimits& limits, const gl::Context* context)
     : scene_(std::move(scene)),
       world_(scene_.world),
       limits_(limits),
@@ -77,11 +80,11 @@ Contest::Contest(Scene scene, const std::vector<Entrant>& entrants, const BenchL
 }
 
 void Contest::makeSolver(Lane& lane) {
-    const SolverInfo& info = *lane.entrant.solver;
+    const sim::SolverInfo& info = *lane.entrant.solver;
     const std::size_t before = info.gpu ? gl::allocatedBytes() : heapBytesInUse().value_or(0);
     try {
-        lane.solver =
-            sunder::makeSolver(info, world_, buffers_ ? &*buffers_ : nullptr, lane.entrant.threads);
+        lane.solver = sunder::sim::makeSolver(info, world_, buffers_ ? &*buffers_ : nullptr,
+                                              lane.entrant.threads);
     } catch (const InputError& error) {
         lane.skipped = error.what();
         return;
@@ -123,7 +126,7 @@ void Contest::prepare(Lane& lane, const State& start) const {
 }
 
 void Contest::settle(Lane& lane, const State& start) const {
-    const auto* shared = dynamic_cast<const BalancedSolver*>(lane.solver.get());
+    const auto* shared = dynamic_cast<const balance::BalancedSolver*>(lane.solver.get());
     if (!shared) return;
     const Stopwatch watch;
     // Again and again from the start: what comes to rest and sleeps is no load.
@@ -214,9 +217,9 @@ std::vector<BenchResult> Contest::measure(const std::string& part, const State& 
 void Contest::measureDrawn(std::vector<BenchResult>& results) {
     if (!buffers_) return;
     const State& start = this->start();
-    const RenderSettings settings{.width = 1280, .height = 720};
-    Renderer renderer(world_, *buffers_);
-    std::vector<std::unique_ptr<SolverView>> views(lanes_.size());
+    const render::RenderSettings settings{.width = 1280, .height = 720};
+    render::Renderer renderer(world_, *buffers_);
+    std::vector<std::unique_ptr<sim::SolverView>> views(lanes_.size());
     std::vector<std::vector<double>> samples(lanes_.size());
     std::vector<double> frameSeconds(lanes_.size());
     const auto frame = [&](std::size_t i) {
@@ -225,7 +228,7 @@ void Contest::measureDrawn(std::vector<BenchResult>& results) {
     };
     for (std::size_t i = 0; i < lanes_.size(); ++i) {
         if (!lanes_[i].skipped.empty()) continue;
-        views[i] = std::make_unique<SolverView>(world_, *lanes_[i].solver);
+        views[i] = std::make_unique<sim::SolverView>(world_, *lanes_[i].solver);
         if (scene_.substeps * lanes_[i].stepSeconds > limits_.secondsPerCell) continue;
         prepare(lanes_[i], start);
         frame(i);

@@ -20,7 +20,7 @@ struct BenchLimits {
 double median(std::vector<double> values);
 
 /// The fewest steps worth timing: a whole number of fracture intervals, 8 or about that.
-int fewestSteps(const WorldDescription&);
+int fewestSteps(const core::WorldDescription&);
 
 /// Several solvers on one world. Their runs are interleaved, so that whatever else the machine does
 /// hits all alike; each run starts from the same state and is timed once the first event is over.
@@ -29,16 +29,17 @@ class Contest {
     /// `context`: the current one, or null: then only CPU solvers may take part, and nothing is
     /// drawn. A solver that the device has no room for is skipped, with the reason in its
     /// result.
-    Contest(Scene, const std::vector<Entrant>&, const BenchLimits&, const gl::Context* context);
+    Contest(scene::Scene, const std::vector<Entrant>&, const BenchLimits&,
+            const gl::Context* context);
     Contest(const Contest&) = delete;
     Contest& operator=(const Contest&) = delete;
 
-    const World& world() const { return world_; }
+    const core::World& world() const { return world_; }
     /// How the world begins (app/start.hpp).
-    const State& start();
+    const core::State& start();
 
     /// One result per entrant, in their order. `part` goes into the results.
-    std::vector<BenchResult> measure(const std::string& part, const State& start);
+    std::vector<BenchResult> measure(const std::string& part, const core::State& start);
     std::vector<BenchResult> measure(const std::string& part) { return measure(part, start()); }
     /// Adds msPerFrameDrawn to what measure() returned: 1280 x 720, read back like `sunder run`
     /// does.
@@ -49,31 +50,31 @@ class Contest {
     std::vector<PassResult> measurePasses();
     /// The state after about this many frames, or fewer where that would take too long; by whoever
     /// is fastest. Needs a measure() before.
-    State stateAfter(int frames);
+    core::State stateAfter(int frames);
 
   private:
     struct Lane {
         Entrant entrant;
-        std::unique_ptr<Solver> solver;
+        std::unique_ptr<core::Solver> solver;
         std::optional<double> bytes;
         std::string skipped;
         double stepSeconds = 0;  ///< estimate
     };
     void makeSolver(Lane&);
     /// Estimates stepSeconds. Sets `skipped` where the fewest steps would take too long.
-    void probe(Lane&, const State& start);
+    void probe(Lane&, const core::State& start);
     int stepsPerRun(const Lane&) const;
-    void prepare(Lane&, const State& start) const;
+    void prepare(Lane&, const core::State& start) const;
     /// Lets a solver that shares bodies out find its shares.
-    void settle(Lane&, const State& start) const;
+    void settle(Lane&, const core::State& start) const;
     double timedRun(Lane&, int steps) const;
-    int leadSteps(const State& start) const;
+    int leadSteps(const core::State& start) const;
     /// Frames from the start to the last of framesPerRun that breaks a bond.
-    int breakingFrames(Lane&, const State& start) const;
+    int breakingFrames(Lane&, const core::State& start) const;
 
-    Scene scene_;
-    World world_;
-    std::optional<State> start_;  ///< once asked for
+    scene::Scene scene_;
+    core::World world_;
+    std::optional<core::State> start_;  ///< once asked for
     BenchLimits limits_;
     bool software_;  ///< the driver computes on the CPU
     std::optional<gpu::WorldBuffers> buffers_;

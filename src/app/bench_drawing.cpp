@@ -5,9 +5,12 @@
 
 #include "app/bench_scenes.hpp"
 #include "app/bench_table.hpp"
-#include "core/display_mesh.hpp"
+#include "surface/display_mesh.hpp"
 
 namespace sunder::app {
+
+using namespace core;
+
 namespace {
 
 constexpr int kMostPictures = 30;
@@ -17,9 +20,9 @@ double seconds(std::chrono::steady_clock::time_point since) {
 }
 
 /// ms per picture: as many in a row as fit.
-double medianOfPictures(Renderer& renderer, const gpu::StateView& view,
-                        const CameraDescription& camera, const RenderSettings& settings,
-                        const BenchLimits& limits) {
+double medianOfPictures(render::Renderer& renderer, const gpu::StateView& view,
+                        const scene::CameraDescription& camera,
+                        const render::RenderSettings& settings, const BenchLimits& limits) {
     const auto timed = [&](int pictures) {
         glFinish();
         const auto start = std::chrono::steady_clock::now();
@@ -39,13 +42,13 @@ double medianOfPictures(Renderer& renderer, const gpu::StateView& view,
 
 }  // namespace
 
-DrawingResult measureDrawing(const Scene& scene, const World& world, const State& state,
+DrawingResult measureDrawing(const scene::Scene& scene, const World& world, const State& state,
                              const std::string& name, const BenchLimits& limits) {
     const gpu::WorldBuffers buffers(world);
     gpu::StateUpload upload(world);
     const gpu::StateView view = upload.upload(state);
-    Renderer renderer(world, buffers);
-    RenderSettings settings{.width = 1280, .height = 720, .samples = 4};
+    render::Renderer renderer(world, buffers);
+    render::RenderSettings settings{.width = 1280, .height = 720, .samples = 4};
     DrawingResult result;
     result.scene = scene.name;
     result.state = name;
@@ -54,20 +57,20 @@ DrawingResult measureDrawing(const Scene& scene, const World& world, const State
     result.vertices = renderer.displayMesh().vertices().size();
     result.triangles = renderer.displayMesh().indices().size() / 3;
     result.msDisplay = medianOfPictures(renderer, view, scene.camera, settings, limits);
-    settings.mesh = DrawnMesh::Simulation;
+    settings.mesh = render::DrawnMesh::Simulation;
     result.msSimulation = medianOfPictures(renderer, view, scene.camera, settings, limits);
     return result;
 }
 
 double measureDisplayMeshBuild(const BenchLimits& limits) {
-    Scene scene = scalingScene(2'000);
+    scene::Scene scene = scalingScene(2'000);
     scene.world.bodies[0].size = {5, 4, 0.1};
     scene.world.bodies[0].cells = {50, 40, 1};
     const World world(scene.world);
     std::vector<double> samples;
     for (int repeat = 0; repeat < limits.repeats; ++repeat) {
         const auto start = std::chrono::steady_clock::now();
-        const DisplayMesh mesh(world);
+        const surface::DisplayMesh mesh(world);
         samples.push_back(1000 * seconds(start));
     }
     return median(samples);

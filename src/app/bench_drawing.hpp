@@ -8,8 +8,8 @@
 namespace sunder::app {
 
 /// Draws `state` over and over.
-DrawingResult measureDrawing(const Scene&, const World&, const State&, const std::string& name,
-                             const BenchLimits&);
+DrawingResult measureDrawing(const scene::Scene&, const core::World&, const core::State&,
+                             const std::string& name, const BenchLimits&);
 
 /// ms, median: making the display mesh of a wooden wall of 2,000 cells.
 double measureDisplayMeshBuild(const BenchLimits&);

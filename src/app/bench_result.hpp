@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "balance/solver_factory.hpp"
+#include "sim/solver_factory.hpp"
 
 namespace sunder::app {
 
 /// One line of competitors: a solver, and with how many threads.
 struct Entrant {
-    const SolverInfo* solver;
+    const sim::SolverInfo* solver;
     int threads = 1;  ///< 1 unless the solver is threaded
     /// "gather", "cpu, 2 threads"
     std::string label() const;

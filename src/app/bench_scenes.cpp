@@ -4,6 +4,9 @@
 #include <cmath>
 
 namespace sunder::app {
+
+using namespace core;
+
 namespace {
 
 constexpr double kCell = 0.1;  // m
@@ -23,7 +26,7 @@ const std::vector<ScalingWall>& scalingWalls() {
 
 }  // namespace
 
-Scene hitAtOnce(Scene scene) {
+scene::Scene hitAtOnce(scene::Scene scene) {
     double first = 0;
     for (std::size_t i = 0; i < scene.world.events.size(); ++i)
         first = i == 0 ? scene.world.events[i].time : std::min(first, scene.world.events[i].time);
@@ -31,7 +34,7 @@ Scene hitAtOnce(Scene scene) {
     return scene;
 }
 
-Scene withWalls(Scene scene, int walls) {
+scene::Scene withWalls(scene::Scene scene, int walls) {
     const BodyDescription wall = scene.world.bodies.front();
     const std::vector<EventDescription> events = scene.world.events;
     scene.world.bodies.clear();
@@ -52,7 +55,7 @@ Scene withWalls(Scene scene, int walls) {
     return scene;
 }
 
-Scene oneStepPerFrame(Scene scene) {
+scene::Scene oneStepPerFrame(scene::Scene scene) {
     scene.substeps = 1;
     scene.world.step = 1.0 / 60;
     scene.world.fractureInterval = 1;
@@ -68,15 +71,15 @@ const std::vector<int>& scalingSizes() {
     return sizes;
 }
 
-Scene scalingScene(int tetrahedra) {
+scene::Scene scalingScene(int tetrahedra) {
     const auto& walls = scalingWalls();
     const auto wall = std::find_if(walls.begin(), walls.end(), [&](const ScalingWall& known) {
         return known.tetrahedra == tetrahedra;
     });
-    Scene scene;
+    scene::Scene scene;
     scene.name = "wood-wall";
     scene.title = "A wooden wall, hit at 40 m/s";
-    scene.world.materials = {loadMaterial("wood")};
+    scene.world.materials = {scene::loadMaterial("wood")};
     BodyDescription body;
     body.name = "wall";
     body.cells = wall->cells;

@@ -18,14 +18,15 @@ namespace {
 
 struct CompareOptions {
     std::filesystem::path first, second, json, difference;
-    ComparisonLimits limits;
+    image::ComparisonLimits limits;
 };
 
 std::string percent(double share) {
     return shortNumber(100 * share) + " %";
 }
 
-std::string toJson(const CompareOptions& options, const Image& a, const Comparison& c) {
+std::string toJson(const CompareOptions& options, const image::Image& a,
+                   const image::Comparison& c) {
     const nlohmann::ordered_json report = {{"alike", c.alike(options.limits)},
                                            {"width", a.width},
                                            {"height", a.height},
@@ -48,21 +49,22 @@ std::string toJson(const CompareOptions& options, const Image& a, const Comparis
 
 int compareFiles(const CompareOptions& options) {
     checkOutputs({{"--json", options.json}, {"--diff", options.difference}});
-    const Image a = readPng(options.first), b = readPng(options.second);
+    const image::Image a = image::readPng(options.first), b = image::readPng(options.second);
     if (a.width != b.width || a.height != b.height) {
-        std::cout << "different: " << utf8FromPath(options.first) << " has " << a.width << " x "
-                  << a.height << " pixels, " << utf8FromPath(options.second) << " has " << b.width
-                  << " x " << b.height << '\n';
+        std::cout << "different: " << files::utf8FromPath(options.first) << " has " << a.width
+                  << " x " << a.height << " pixels, " << files::utf8FromPath(options.second)
+                  << " has " << b.width << " x " << b.height << '\n';
         if (!options.json.empty())
-            writeFile(options.json,
-                      nlohmann::ordered_json{{"alike", false},
-                                             {"sizes", {{a.width, a.height}, {b.width, b.height}}}}
-                              .dump(2) +
-                          "\n");
+            files::writeFile(
+                options.json,
+                nlohmann::ordered_json{{"alike", false},
+                                       {"sizes", {{a.width, a.height}, {b.width, b.height}}}}
+                        .dump(2) +
+                    "\n");
         return kDifferent;
     }
-    const ComparisonLimits& limits = options.limits;
-    const Comparison c = compare(a, b, limits.threshold);
+    const image::ComparisonLimits& limits = options.limits;
+    const image::Comparison c = image::compare(a, b, limits.threshold);
     const bool alike = c.alike(limits);
     std::cout << (alike ? "alike" : "different") << ": " << percent(c.share)
               << " of the pixels differ by more than " << limits.threshold << " of 255 ("
@@ -71,8 +73,9 @@ int compareFiles(const CompareOptions& options) {
               << c.windowX << ", " << c.windowY << " (" << percent(limits.window)
               << "); mean difference " << shortNumber(c.mean) << " (" << shortNumber(limits.mean)
               << "), largest " << c.largest << '\n';
-    if (!options.json.empty()) writeFile(options.json, toJson(options, a, c));
-    if (!options.difference.empty()) writePng(options.difference, differencePicture(a, b, c));
+    if (!options.json.empty()) files::writeFile(options.json, toJson(options, a, c));
+    if (!options.difference.empty())
+        image::writePng(options.difference, image::differencePicture(a, b, c));
     return alike ? kDone : kDifferent;
 }
 
@@ -84,7 +87,7 @@ void addCompare(CLI::App& app, Action& chosen) {
     auto options = std::make_shared<CompareOptions>();
     addPath(*command, "a", options->first, "a picture")->required()->type_name("A.png");
     addPath(*command, "b", options->second, "another")->required()->type_name("B.png");
-    ComparisonLimits& limits = options->limits;
+    image::ComparisonLimits& limits = options->limits;
     command
         ->add_option("--threshold", limits.threshold,
                      "levels, 0 to 255, by which a channel of a pixel may differ")

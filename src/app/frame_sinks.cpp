@@ -13,6 +13,9 @@
 #include "render/legend.hpp"
 
 namespace sunder::app {
+
+using namespace core;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,10 +28,13 @@ class PngFrames : public FrameSink {
         std::error_code error;
         if (!fs::is_directory(folder_, error)) return;
         for (int frame = 0; frame <= last_; ++frame)
-            if (wants(frame) && fs::is_directory(path(frame), error)) checkWritable(path(frame));
+            if (wants(frame) && fs::is_directory(path(frame), error))
+                files::checkWritable(path(frame));
     }
     bool wants(int frame) const override { return frame % every_ == 0 || frame == last_; }
-    void take(const Frame& frame) override { writePng(path(frame.number), frame.withLegend); }
+    void take(const Frame& frame) override {
+        image::writePng(path(frame.number), frame.withLegend);
+    }
 
   private:
     fs::path path(int frame) const {
@@ -46,7 +52,7 @@ class VideoFrames : public FrameSink {
     VideoFrames(fs::path path, double fps) : path_(std::move(path)), fps_(fps) {}
     bool wants(int) const override { return true; }
     void take(const Frame& frame) override {
-        const Image& image = frame.withLegend;
+        const image::Image& image = frame.withLegend;
         // Not before: the folder may be the run's own, which is made last.
         if (!video_) video_.emplace(path_, image.width, image.height, fps_);
         video_->add(image);
@@ -54,19 +60,21 @@ class VideoFrames : public FrameSink {
     void finish() override { there_ = video_ && video_->finish(); }
     std::string outcome() const override {
         if (!video_) return "there is no video";
-        return "the video '" + utf8FromPath(path_) + (there_ ? "' ends there" : "' was given up");
+        return "the video '" + files::utf8FromPath(path_) +
+               (there_ ? "' ends there" : "' was given up");
     }
 
   private:
     fs::path path_;
     double fps_;
     bool there_ = false;
-    std::optional<VideoFile> video_;
+    std::optional<image::VideoFile> video_;
 };
 
 class SheetFrames : public FrameSink {
   public:
-    SheetFrames(fs::path path, std::vector<int> frames, const RenderSettings& settings, double fps)
+    SheetFrames(fs::path path, std::vector<int> frames, const render::RenderSettings& settings,
+                double fps)
         : path_(std::move(path)),
           frames_(std::move(frames)),
           layout_(static_cast<int>(frames_.size()), settings.width, settings.height),
@@ -77,15 +85,15 @@ class SheetFrames : public FrameSink {
     }
     void take(const Frame& frame) override {
         // The legend comes last: scaled down with the picture it could not be read.
-        Image tile = scaledDown(frame.plain, layout_.tileWidth, layout_.tileHeight);
-        drawLegend(tile, frame.key);
+        image::Image tile = image::scaledDown(frame.plain, layout_.tileWidth, layout_.tileHeight);
+        render::drawLegend(tile, frame.key);
         char time[32];
         std::snprintf(time, sizeof time, "%.*f s", decimals_, frame.time);
         sheet_.add(tile, time);
         ++taken_;
     }
     void finish() override {
-        if (whole()) writePng(path_, sheet_.image());
+        if (whole()) image::writePng(path_, sheet_.image());
     }
     std::string outcome() const override { return whole() ? "" : "there is no contact sheet"; }
 
@@ -94,8 +102,8 @@ class SheetFrames : public FrameSink {
 
     fs::path path_;
     std::vector<int> frames_;
-    SheetLayout layout_;
-    ContactSheet sheet_;
+    image::SheetLayout layout_;
+    image::ContactSheet sheet_;
     int decimals_;
     std::size_t taken_ = 0;
 };
@@ -104,7 +112,8 @@ class SheetFrames : public FrameSink {
 
 std::vector<std::unique_ptr<FrameSink>> makeFrameSinks(const RunOptions& options,
                                                        const WorldDescription& world,
-                                                       const RenderSettings& settings, int frames) {
+                                                       const render::RenderSettings& settings,
+                                                       int frames) {
     std::vector<std::unique_ptr<FrameSink>> sinks;
     if (options.pngEvery > 0)
         sinks.push_back(std::make_unique<PngFrames>(options.out, options.pngEvery, frames));
@@ -115,7 +124,7 @@ std::vector<std::unique_ptr<FrameSink>> makeFrameSinks(const RunOptions& options
                                        : framesAt(options.sheetTimes, frames, options.fps),
             settings, options.fps));
     if (!options.video.empty()) {
-        VideoFile::check(options.video, settings.width, settings.height, options.fps);
+        image::VideoFile::check(options.video, settings.width, settings.height, options.fps);
         sinks.push_back(std::make_unique<VideoFrames>(options.video, options.fps));
     }
     return sinks;

@@ -13,9 +13,9 @@ namespace sunder::app {
 struct Frame {
     int number;
     double time;  ///< s
-    Image plain;
-    ColourKey key;
-    Image withLegend;  ///< the same as plain where there is nothing to explain
+    image::Image plain;
+    render::ColourKey key;
+    image::Image withLegend;  ///< the same as plain where there is nothing to explain
 };
 
 /// Where frames go.
@@ -32,7 +32,8 @@ class FrameSink {
 
 /// Every sink that the options ask for, of a run whose `frames` of 1/fps s follow number 0. Throws
 /// InputError for what will not be possible; no file is there yet.
-std::vector<std::unique_ptr<FrameSink>> makeFrameSinks(const RunOptions&, const WorldDescription&,
-                                                       const RenderSettings&, int frames);
+std::vector<std::unique_ptr<FrameSink>> makeFrameSinks(const RunOptions&,
+                                                       const core::WorldDescription&,
+                                                       const render::RenderSettings&, int frames);
 
 }  // namespace sunder::app

@@ -4,6 +4,8 @@
 
 namespace sunder::app {
 
+using namespace core;
+
 void IncidentTally::take(IncidentRing& ring) {
     for (const Incident& incident : ring.take()) {
         ++(incident.kind == Incident::Kind::Break ? breaks : contacts);

@@ -7,6 +7,9 @@
 #include "gl/context.hpp"
 
 namespace sunder::app {
+
+using namespace core;
+
 namespace {
 
 nlohmann::ordered_json toJson(const gl::DeviceInfo& info) {
@@ -24,7 +27,7 @@ nlohmann::ordered_json toJson(const gl::DeviceInfo& info) {
 }
 
 int info(const std::string& jsonPath) {
-    checkWritable(jsonPath);
+    files::checkWritable(jsonPath);
     nlohmann::ordered_json report;
     report["devices"] = nlohmann::ordered_json::array();
     for (const gl::DeviceListEntry& entry : gl::listDevices()) {
@@ -58,8 +61,8 @@ int info(const std::string& jsonPath) {
         result = kNoContext;
     }
     if (!jsonPath.empty())
-        writeFile(jsonPath,
-                  report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+        files::writeFile(
+            jsonPath, report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
     return result;
 }
 

@@ -3,8 +3,8 @@
 #include <iostream>
 
 #include "app/commands.hpp"
-#include "balance/solver_factory.hpp"
 #include "scene/scene.hpp"
+#include "sim/solver_factory.hpp"
 
 namespace sunder::app {
 namespace {
@@ -17,9 +17,9 @@ void print(const char* heading, const Entries& entries) {
 }
 
 int list() {
-    print("Scenes", scenePresets());
-    print("Materials", materialPresets());
-    print("Solvers", solvers());
+    print("Scenes", scene::scenePresets());
+    print("Materials", scene::materialPresets());
+    print("Solvers", sim::solvers());
     return kDone;
 }
 

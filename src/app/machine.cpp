@@ -18,7 +18,7 @@ namespace {
 
 std::string queryProcessor() {
 #if defined(_WIN32)
-    return environmentVariable("PROCESSOR_IDENTIFIER");
+    return files::environmentVariable("PROCESSOR_IDENTIFIER");
 #elif defined(__APPLE__)
     char name[256] = {};
     std::size_t size = sizeof name - 1;

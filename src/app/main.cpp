@@ -31,7 +31,7 @@ std::string failureMessage(const CLI::App* app, const CLI::Error& error) {
 
 int main(int argc, char** argv) {
     using namespace sunder;
-    const Console console;
+    const files::Console console;
     CLI::App app(
         "Sunder: walls that bend, crack and break, on the CPU and on any GPU with OpenGL 4.1.",
         "sunder");
@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
     app::addInfo(app, chosen);
     app::addList(app, chosen);
     try {
-        std::vector<std::string> words = commandLine(argc, argv);
+        std::vector<std::string> words = files::commandLine(argc, argv);
         std::reverse(words.begin(), words.end());  // so CLI11 takes them
         app.parse(std::move(words));
     } catch (const CLI::ParseError& error) {
@@ -54,12 +54,13 @@ int main(int argc, char** argv) {
     try {
         const int code = chosen();
         std::cout.flush();
-        if (!std::cout) throw InputError("standard output cannot be written; is the disk full?");
+        if (!std::cout)
+            throw core::InputError("standard output cannot be written; is the disk full?");
         return code;
-    } catch (const InputError& error) {
+    } catch (const core::InputError& error) {
         std::cerr << "sunder: " << error.what() << '\n';
         return app::kBadInput;
-    } catch (const ContextError& error) {
+    } catch (const core::ContextError& error) {
         std::cerr << "sunder: " << error.what() << '\n';
         return app::kNoContext;
     } catch (const std::bad_alloc&) {

@@ -8,15 +8,17 @@
 
 namespace sunder::app {
 
+using namespace core;
+
 namespace fs = std::filesystem;
 
 OutputFolder::OutputFolder(const fs::path& path) {
     try {
         make(path);
-        claim_ = std::make_unique<FolderClaim>(path);
+        claim_ = std::make_unique<files::FolderClaim>(path);
         if (!claim_->held())
-            throw InputError("--out: another `sunder run` is writing into '" + utf8FromPath(path) +
-                             "'; give this one a folder of its own");
+            throw InputError("--out: another `sunder run` is writing into '" +
+                             files::utf8FromPath(path) + "'; give this one a folder of its own");
     } catch (...) {
         removeEmpty();
         throw;
@@ -36,7 +38,7 @@ void OutputFolder::make(const fs::path& path) {
     for (const fs::path& folder : missing) {
         if (fs::create_directory(folder, error)) made_.push_back(folder);
         if (error)
-            throw InputError("--out: cannot make the folder '" + utf8FromPath(path) +
+            throw InputError("--out: cannot make the folder '" + files::utf8FromPath(path) +
                              "': " + error.message());
     }
 }

@@ -24,7 +24,7 @@ class OutputFolder {
     void removeEmpty();
 
     std::vector<std::filesystem::path> made_;  ///< outermost first
-    std::unique_ptr<FolderClaim> claim_;
+    std::unique_ptr<files::FolderClaim> claim_;
 };
 
 }  // namespace sunder::app

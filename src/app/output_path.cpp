@@ -5,6 +5,9 @@
 #include "files/write_file.hpp"
 
 namespace sunder::app {
+
+using namespace core;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -23,11 +26,11 @@ bool sameFile(const fs::path& a, const fs::path& b) {
 
 void checkOutputs(const std::vector<Output>& outputs) {
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-        checkWritable(outputs[i].path);
+        files::checkWritable(outputs[i].path);
         for (std::size_t j = 0; j < i; ++j)
             if (sameFile(outputs[i].path, outputs[j].path))
                 throw InputError(outputs[j].option + " and " + outputs[i].option +
-                                 " both write to '" + utf8FromPath(outputs[i].path) +
+                                 " both write to '" + files::utf8FromPath(outputs[i].path) +
                                  "'; give each a file of its own");
     }
 }

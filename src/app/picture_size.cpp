@@ -6,6 +6,8 @@
 
 namespace sunder::app {
 
+using namespace core;
+
 std::pair<int, int> parsePictureSize(const std::string& text) {
     // Not sscanf: it takes 4294967456 for 160.
     int w = 0, h = 0;

@@ -13,16 +13,16 @@ constexpr int kBarWidth = 32;
 Progress::Progress(std::string what, int total)
     : what_(std::move(what)),
       total_(total),
-      terminal_(standardError()),
+      terminal_(files::standardError()),
       start_(std::chrono::steady_clock::now()) {}
 
 Progress::~Progress() {
-    if (terminal_ != Terminal::None) show("");
+    if (terminal_ != files::Terminal::None) show("");
 }
 
 void Progress::update(int done) {
     const auto now = std::chrono::steady_clock::now();
-    if (terminal_ == Terminal::None ||
+    if (terminal_ == files::Terminal::None ||
         (done < total_ && now - last_ < std::chrono::milliseconds(100)))
         return;
     last_ = now;
@@ -38,7 +38,7 @@ void Progress::update(int done) {
 
 void Progress::show(const std::string& line) {
     std::cerr << '\r' << line;
-    if (terminal_ == Terminal::Escapes) {
+    if (terminal_ == files::Terminal::Escapes) {
         std::cerr << "\x1b[K";
     } else {
         // Spaces over what is left of the line before.

@@ -20,7 +20,7 @@ class Progress {
 
     std::string what_;
     int total_;
-    Terminal terminal_;
+    files::Terminal terminal_;
     std::size_t shown_ = 0;  ///< bytes of the line on a plain terminal
     std::chrono::steady_clock::time_point start_, last_{};
 };

@@ -14,9 +14,7 @@
 #include "app/run_report.hpp"
 #include "app/start.hpp"
 #include "balance/balanced_solver.hpp"
-#include "balance/solver_factory.hpp"
 #include "core/loss_notes.hpp"
-#include "core/vtu.hpp"
 #include "files/held_signals.hpp"
 #include "files/utf8_path.hpp"
 #include "files/write_file.hpp"
@@ -25,15 +23,20 @@
 #include "render/legend.hpp"
 #include "scene/limit_warnings.hpp"
 #include "scene/scene.hpp"
+#include "scene/vtu.hpp"
+#include "sim/solver_factory.hpp"
 
 namespace sunder::app {
+
+using namespace core;
+
 namespace {
 
 namespace fs = std::filesystem;
 
 /// The step stays near the scene's; a frame holds a whole number of them, so the physics hardly
 /// depends on --fps.
-int fitStepsToFrame(Scene& scene, double fps) {
+int fitStepsToFrame(scene::Scene& scene, double fps) {
     const int steps = std::max(1, static_cast<int>(std::lround(1 / (fps * scene.world.step))));
     scene.world.step = 1 / (fps * steps);
     return steps;
@@ -45,9 +48,9 @@ constexpr std::size_t kIncidentRoom = 65536;
 /// Draws a solver's state.
 class FramePainter {
   public:
-    FramePainter(const Scene& scene, const World& world, gl::Context& context, Solver& solver,
-                 const gpu::WorldBuffers& buffers, const RenderSettings& settings,
-                 WallColour colour)
+    FramePainter(const scene::Scene& scene, const World& world, gl::Context& context,
+                 Solver& solver, const gpu::WorldBuffers& buffers,
+                 const render::RenderSettings& settings, render::WallColour colour)
         : camera_(scene.camera),
           context_(context),
           solver_(solver),
@@ -57,30 +60,30 @@ class FramePainter {
           colours_(world),
           settings_(settings) {
         settings_.colours = &colours_;
-        if (settings.mesh == DrawnMesh::Display && renderer_.displayMesh().simplified())
+        if (settings.mesh == render::DrawnMesh::Display && renderer_.displayMesh().simplified())
             std::cerr << "sunder: note: torn edges have fewer points than the materials ask for, "
                          "or they would be more than "
-                      << kMostDisplayVertices << " vertices\n";
+                      << surface::kMostDisplayVertices << " vertices\n";
     }
 
     Frame draw(int number, double time) {
-        if (colour_ != WallColour::Material) colours_.update(solver_.state(), colour_);
-        Image plain = renderer_.draw(view_.view(), camera_, settings_);
+        if (colour_ != render::WallColour::Material) colours_.update(solver_.state(), colour_);
+        image::Image plain = renderer_.draw(view_.view(), camera_, settings_);
         context_.check();  // before anything is made of a picture that failed
-        Image withLegend = plain;
-        drawLegend(withLegend, colours_.key());
+        image::Image withLegend = plain;
+        render::drawLegend(withLegend, colours_.key());
         return {number, time, std::move(plain), colours_.key(), std::move(withLegend)};
     }
 
   private:
-    CameraDescription camera_;
+    scene::CameraDescription camera_;
     gl::Context& context_;
     Solver& solver_;
-    Renderer renderer_;
-    SolverView view_;
-    WallColour colour_;
-    CellColours colours_;
-    RenderSettings settings_;
+    render::Renderer renderer_;
+    sim::SolverView view_;
+    render::WallColour colour_;
+    render::CellColours colours_;
+    render::RenderSettings settings_;
 };
 
 /// Draws a frame if any sink wants it.
@@ -99,7 +102,7 @@ void play(const RunOptions& options, const std::string& name, Solver& solver,
           IncidentRing& incidents, FramePainter* painter,
           const std::vector<std::unique_ptr<FrameSink>>& sinks, RunFacts& facts) {
     Progress progress(name, facts.frames);
-    for (int frame = 0; frame <= facts.frames && !notedSignal(); ++frame) {
+    for (int frame = 0; frame <= facts.frames && !files::notedSignal(); ++frame) {
         progress.update(frame);
         if (painter) deliver(frame, options.fps, *painter, sinks);
         if (frame == facts.frames) break;
@@ -127,22 +130,23 @@ std::string interruption(const RunFacts& facts,
 
 /// Writes everything the user asked for about the last state; the report also goes beside the
 /// pictures.
-void writeResults(const RunOptions& options, const Scene& scene, const World& world,
-                  const State& state, const RunFacts& facts, std::optional<HeldSignals>& held) {
+void writeResults(const RunOptions& options, const scene::Scene& scene, const World& world,
+                  const State& state, const RunFacts& facts,
+                  std::optional<files::HeldSignals>& held) {
     const std::string report = reportJson(scene, world, state, facts);
-    writeFile(options.out / "report.json", report);
+    files::writeFile(options.out / "report.json", report);
     // A pipe that nobody reads may keep the rest waiting for ever.
     held.reset();
-    if (!options.json.empty()) writeFile(options.json, report);
-    if (!options.state.empty()) writeFile(options.state, toVtu(world, state));
+    if (!options.json.empty()) files::writeFile(options.json, report);
+    if (!options.state.empty()) files::writeFile(options.state, scene::toVtu(world, state));
 }
 
 int run(RunOptions options) {
-    Scene scene = loadScene(options.scene);
-    if (options.out.empty()) options.out = fs::path("out") / pathFromUtf8(scene.name);
+    scene::Scene scene = scene::loadScene(options.scene);
+    if (options.out.empty()) options.out = fs::path("out") / files::pathFromUtf8(scene.name);
     checkRunOptions(options);
-    const SolverInfo& solverInfo = findSolver(options.solver);
-    const RenderSettings settings = renderSettings(options);
+    const sim::SolverInfo& solverInfo = sim::findSolver(options.solver);
+    const render::RenderSettings settings = renderSettings(options);
     if (options.seed) scene.world.seed = *options.seed;
     RunFacts facts;
     facts.solver = solverInfo.name;
@@ -162,18 +166,18 @@ int run(RunOptions options) {
     }
     IncidentRing incidents(kIncidentRoom);
     const std::unique_ptr<Solver> solver =
-        makeSolver(solverInfo, world, buffers ? &*buffers : nullptr);
+        sim::makeSolver(solverInfo, world, buffers ? &*buffers : nullptr);
     solver->setIncidents(&incidents);
     std::optional<FramePainter> painter;
     if (!sinks.empty())
         painter.emplace(scene, world, *context, *solver, *buffers, settings, wallColour(options));
     if (context) context->check();
-    for (const std::string& warning : limitWarnings(scene, world))
+    for (const std::string& warning : scene::limitWarnings(scene, world))
         std::cerr << "sunder: note: " << warning << '\n';
     // Before signals are held: what interrupts it finds nothing to be finished.
     solver->setState(startOf(scene, world));
 
-    std::optional<HeldSignals> held(std::in_place);
+    std::optional<files::HeldSignals> held(std::in_place);
     const OutputFolder folder(options.out);
     std::string problem;
     try {
@@ -181,15 +185,15 @@ int run(RunOptions options) {
         for (const auto& sink : sinks) sink->finish();
     } catch (const InputError& error) {
         // What ends this program may have ended ffmpeg as well.
-        if (!notedSignal()) throw;
+        if (!files::notedSignal()) throw;
         problem = error.what();
     }
-    if (const int signal = notedSignal()) {
+    if (const int signal = files::notedSignal()) {
         std::cerr << "sunder: " << interruption(facts, sinks, problem) << '\n';
         held->answer();
-        return exitCodeOf(signal);
+        return files::exitCodeOf(signal);
     }
-    if (const auto* shared = dynamic_cast<const BalancedSolver*>(solver.get()))
+    if (const auto* shared = dynamic_cast<const balance::BalancedSolver*>(solver.get()))
         facts.bodiesOnGpu = shared->bodiesOnGpu();
     for (const std::string& note : lossNotes(world, *solver))
         std::cerr << "sunder: note: " << note << '\n';
@@ -203,11 +207,12 @@ int run(RunOptions options) {
     writeResults(options, scene, world, state, facts, held);
     std::cout << reportText(scene, world, state, facts);
     if (options.pngEvery > 0)
-        std::cout << "pictures: " << utf8FromPath(options.out / "frame_*.png") << '\n';
+        std::cout << "pictures: " << files::utf8FromPath(options.out / "frame_*.png") << '\n';
     if (!options.contactSheet.empty())
-        std::cout << "sheet:    " << utf8FromPath(options.contactSheet) << '\n';
-    if (!options.video.empty()) std::cout << "video:    " << utf8FromPath(options.video) << '\n';
-    std::cout << "report:   " << utf8FromPath(options.out / "report.json") << '\n';
+        std::cout << "sheet:    " << files::utf8FromPath(options.contactSheet) << '\n';
+    if (!options.video.empty())
+        std::cout << "video:    " << files::utf8FromPath(options.video) << '\n';
+    std::cout << "report:   " << files::utf8FromPath(options.out / "report.json") << '\n';
     return kDone;
 }
 

@@ -16,6 +16,9 @@
 #include "files/write_file.hpp"
 
 namespace sunder::app {
+
+using namespace core;
+
 namespace {
 
 /// As the command line calls them.
@@ -60,28 +63,28 @@ void addPictureOptions(CLI::App& command, RunOptions& options) {
     command
         .add_option("--mesh", options.mesh,
                     "what is drawn of walls: display (torn edges) or simulation (tetrahedra)")
-        ->check(CLI::IsMember(namesOf(kDrawnMeshes)))
+        ->check(CLI::IsMember(namesOf(render::kDrawnMeshes)))
         ->capture_default_str();
     command
         .add_option("--style", options.style, "how walls are drawn: solid, wireframe or overlay")
-        ->check(CLI::IsMember(namesOf(kDrawStyles)))
+        ->check(CLI::IsMember(namesOf(render::kDrawStyles)))
         ->capture_default_str();
     command
         .add_option("--colour", options.colour,
                     "what the colour of walls shows: material, or with a legend stress, speed or "
                     "piece")
-        ->check(CLI::IsMember(namesOf(kWallColours)))
+        ->check(CLI::IsMember(namesOf(render::kWallColours)))
         ->capture_default_str();
 }
 
 void checkRunOutputs(const RunOptions& options) {
-    const HeldSignals held;
+    const files::HeldSignals held;
     const OutputFolder trial(options.out);
     checkOutputs({{"--json", options.json},
                   {"--state", options.state},
                   {"--video", options.video},
                   {"--contact-sheet", options.contactSheet}});
-    checkWritable(options.out / "report.json");
+    files::checkWritable(options.out / "report.json");
 }
 
 }  // namespace
@@ -111,22 +114,22 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
 
 void checkRunOptions(const RunOptions& options) {
     checkRunOutputs(options);
-    const std::string sheet = utf8FromPath(options.contactSheet);
+    const std::string sheet = files::utf8FromPath(options.contactSheet);
     if (!sheet.empty() && !sheet.ends_with(".png"))
         throw InputError("--contact-sheet: '" + sheet +
                          "' is written as a PNG picture and must end in .png");
 }
 
-RenderSettings renderSettings(const RunOptions& options) {
-    RenderSettings settings;
+render::RenderSettings renderSettings(const RunOptions& options) {
+    render::RenderSettings settings;
     std::tie(settings.width, settings.height) = parsePictureSize(options.size);
-    settings.mesh = named(options.mesh, kDrawnMeshes);
-    settings.style = named(options.style, kDrawStyles);
+    settings.mesh = named(options.mesh, render::kDrawnMeshes);
+    settings.style = named(options.style, render::kDrawStyles);
     return settings;
 }
 
-WallColour wallColour(const RunOptions& options) {
-    return named(options.colour, kWallColours);
+render::WallColour wallColour(const RunOptions& options) {
+    return named(options.colour, render::kWallColours);
 }
 
 }  // namespace sunder::app

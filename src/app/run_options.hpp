@@ -39,7 +39,7 @@ void addRunOptions(CLI::App& command, RunOptions& options);
 void checkRunOptions(const RunOptions&);
 
 /// Throws InputError.
-RenderSettings renderSettings(const RunOptions&);
-WallColour wallColour(const RunOptions&);
+render::RenderSettings renderSettings(const RunOptions&);
+render::WallColour wallColour(const RunOptions&);
 
 }  // namespace sunder::app

@@ -9,6 +9,9 @@
 #include "core/pieces.hpp"
 
 namespace sunder::app {
+
+using namespace core;
+
 namespace {
 
 double percentile(std::vector<double> values, double share) {
@@ -108,7 +111,7 @@ nlohmann::ordered_json sunkJson(const std::vector<Sunk>& sunk) {
 
 }  // namespace
 
-std::string reportJson(const Scene& scene, const World& world, const State& state,
+std::string reportJson(const scene::Scene& scene, const World& world, const State& state,
                        const RunFacts& facts) {
     using nlohmann::ordered_json;
     const Diagnostics d = diagnose(world, state);
@@ -159,7 +162,7 @@ std::string reportJson(const Scene& scene, const World& world, const State& stat
     return report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-std::string reportText(const Scene& scene, const World& world, const State& state,
+std::string reportText(const scene::Scene& scene, const World& world, const State& state,
                        const RunFacts& facts) {
     const Diagnostics d = diagnose(world, state);
     std::ostringstream text;

@@ -20,15 +20,17 @@ struct RunFacts {
     std::vector<double> msPerStep;   ///< one entry per frame
     IncidentTally incidents;
     struct {
-        std::int64_t contacts = 0;  ///< Solver::droppedContacts()
-        std::vector<double> haste;  ///< Solver::contactHaste()
-        std::vector<Sunk> sunk;     ///< at the end
-    } losses;                       ///< what the solver had to leave out
+        std::int64_t contacts = 0;     ///< Solver::droppedContacts()
+        std::vector<double> haste;     ///< Solver::contactHaste()
+        std::vector<core::Sunk> sunk;  ///< at the end
+    } losses;                          ///< what the solver had to leave out
 };
 
 /// The contents of --json.
-std::string reportJson(const Scene&, const World&, const State&, const RunFacts&);
+std::string reportJson(const scene::Scene&, const core::World&, const core::State&,
+                       const RunFacts&);
 /// A few lines for a person.
-std::string reportText(const Scene&, const World&, const State&, const RunFacts&);
+std::string reportText(const scene::Scene&, const core::World&, const core::State&,
+                       const RunFacts&);
 
 }  // namespace sunder::app

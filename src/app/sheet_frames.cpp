@@ -6,6 +6,9 @@
 #include <string>
 
 namespace sunder::app {
+
+using namespace core;
+
 namespace {
 
 /// More would be too small to see anything, and a list of hundreds is a slip.

@@ -11,7 +11,7 @@ inline constexpr int kSheetFrames = 12;
 /// Numbers of the frames that tell a run's story, in order, each once: from the one before the
 /// first event or throw (the beginning, where there is none) to the last. `frames` of 1/fps s
 /// follow number 0.
-std::vector<int> storyFrames(const WorldDescription&, int frames, double fps);
+std::vector<int> storyFrames(const core::WorldDescription&, int frames, double fps);
 
 /// Those nearest to the times (s). Throws InputError for a time that the run does not reach.
 std::vector<int> framesAt(const std::vector<double>& times, int frames, double fps);

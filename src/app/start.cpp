@@ -7,15 +7,17 @@
 
 namespace sunder::app {
 
-State startOf(const Scene& scene, const World& world) {
+using namespace core;
+
+State startOf(const scene::Scene& scene, const World& world) {
     constexpr int kParts = 1000;
-    Start start;
+    cpu::Start start;
     {
         Progress progress(scene.name + ", coming to rest", kParts);
-        start = settledStart(
+        start = cpu::settledStart(
             world, [&](double share) { progress.update(static_cast<int>(kParts * share)); });
     }
-    if (const std::string warning = restlessWarning(start); !warning.empty())
+    if (const std::string warning = cpu::restlessWarning(start); !warning.empty())
         std::cerr << "sunder: note: " << warning << '\n';
     return std::move(start.state);
 }

@@ -25,7 +25,7 @@ void addView(CLI::App& app, Action& chosen) {
     command->add_option("--size", *size, "of the window (default: as last time)")->type_name("WxH");
     addPath(*command, "--out", options->folder,
             "folder for pictures, videos and files that are saved")
-        ->default_str(utf8FromPath(options->folder))
+        ->default_str(files::utf8FromPath(options->folder))
         ->check(checkFolder, "")
         ->type_name("DIR");
     addPath(*command, "--shader-dir", options->shaders,
@@ -37,10 +37,10 @@ void addView(CLI::App& app, Action& chosen) {
     command->callback([&chosen, options, size] {
         chosen = [options, size] {
             if (!size->empty()) std::tie(options->width, options->height) = parsePictureSize(*size);
-            checkWritable(options->log);
-            checkWritable(options->folder / "picture.png");
+            files::checkWritable(options->log);
+            files::checkWritable(options->folder / "picture.png");
             const int signal = view::view(*options);
-            return signal ? exitCodeOf(signal) : kDone;
+            return signal ? files::exitCodeOf(signal) : kDone;
         };
     });
 }

@@ -4,7 +4,10 @@
 #include <chrono>
 #include <numeric>
 
-namespace sunder {
+namespace sunder::balance {
+
+using namespace core;
+
 namespace {
 
 /// What moves as one. Bodies that may touch each other are advanced by one solver.
@@ -107,4 +110,4 @@ gpu::StateView BalancedSolver::view() {
     return gather_.view();
 }
 
-}  // namespace sunder
+}  // namespace sunder::balance

@@ -3,7 +3,7 @@
 #include "cpu/cpu_solver.hpp"
 #include "gpu/gather.hpp"
 
-namespace sunder {
+namespace sunder::balance {
 
 /// `auto`: every body runs on `cpu` or on `gather`, both at the same time, shared out by measured
 /// cost (LoadBalancer); a body moves from one to the other between frames with its state intact.
@@ -16,13 +16,13 @@ class BalancedSolver : public gpu::GpuSolver {
   public:
     /// Throws InputError when the world is too large for the device. `world` and `buffers` must
     /// outlive it. threads: of `cpu`, 0 for one per core.
-    BalancedSolver(const World& world, const gpu::WorldBuffers& buffers, int threads = 0);
+    BalancedSolver(const core::World& world, const gpu::WorldBuffers& buffers, int threads = 0);
 
     std::string_view name() const override { return "auto"; }
     void advance(int steps) override;
     void finish() override { gather_.finish(); }
-    State state() const override;
-    void setState(const State& state) override;
+    core::State state() const override;
+    void setState(const core::State& state) override;
     bool asleep(int body) const override;
     bool objectAsleep(int object) const override;
     /// Of the bodies on the GPU; `cpu` has room for all.
@@ -31,12 +31,12 @@ class BalancedSolver : public gpu::GpuSolver {
     gpu::StateView view() override;
     /// Of the bodies on the GPU.
     void setPassTimer(gpu::PassTimer* timer) override { gather_.setPassTimer(timer); }
-    void setIncidents(IncidentRing* ring) override {
+    void setIncidents(core::IncidentRing* ring) override {
         gather_.setIncidents(ring);
         cpu_.setIncidents(ring);
     }
     /// Its parts run at the same time.
-    bool setPassObserver(PassObserver*) override { return false; }
+    bool setPassObserver(core::PassObserver*) override { return false; }
 
     bool onGpu(int body) const { return gather_.holds(body); }
     int bodiesOnGpu() const;
@@ -47,11 +47,11 @@ class BalancedSolver : public gpu::GpuSolver {
     void moveBodies();
     bool wantedOnGpu(int body) const;
 
-    const World& world_;
+    const core::World& world_;
     gpu::GatherSolver gather_;
-    CpuSolver cpu_;
+    cpu::CpuSolver cpu_;
     LoadBalancer balancer_;
-    State scratch_;  ///< what bodies pass through on their way
+    core::State scratch_;  ///< what bodies pass through on their way
 };
 
-}  // namespace sunder
+}  // namespace sunder::balance

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-namespace sunder {
+namespace sunder::balance {
 namespace {
 
 /// A trial ends when so many frames in a row were no faster than the fastest: before, bodies have
@@ -122,4 +122,4 @@ void LoadBalancer::place(const std::vector<bool>& awake) {
     }
 }
 
-}  // namespace sunder
+}  // namespace sunder::balance

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunder {
+namespace sunder::balance {
 
 /// Shares bodies out between CPU and GPU (thesis, chapter 9: "load balancing"). It tries shares and
 /// keeps the one whose frames took least time: nothing at all on the GPU, everything, the share at
@@ -54,4 +54,4 @@ class LoadBalancer {
     std::int64_t load_ = 0;     ///< awake cells when they began
 };
 
-}  // namespace sunder
+}  // namespace sunder::balance

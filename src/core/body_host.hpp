@@ -3,7 +3,7 @@
 
 #include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 /// A solver that can advance some bodies of its world and leave the others to another solver. At
 /// first it holds them all; Solver::state() says nothing about those it does not hold. Objects go
@@ -21,4 +21,4 @@ class BodyHost {
     virtual bool holds(int body) const = 0;
 };
 
-}  // namespace sunder
+}  // namespace sunder::core

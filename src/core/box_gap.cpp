@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-namespace sunder {
+namespace sunder::core {
 namespace {
 
 /// m: by how much two cores are apart along an axis, or, negative, reach over each other.
@@ -96,4 +96,4 @@ double gapBetween(const RoundedBox& a, const RoundedBox& b) {
     return distanceOf(a, b) - radii;
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <vector>
 
-namespace sunder {
+namespace sunder::core {
 namespace {
 
 constexpr int kFew = 4;  ///< boxes of a leaf
@@ -109,4 +109,4 @@ std::int64_t forEachOverlap(std::span<const Box> boxes,
     return boxes.empty() ? 0 : Tree(boxes, visit).compare();
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -5,7 +5,7 @@
 
 #include "core/types.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 /// A box along the axes.
 struct Box {
@@ -27,4 +27,4 @@ struct Box {
 /// about n·log n.
 std::int64_t forEachOverlap(std::span<const Box> boxes, const std::function<void(int, int)>& visit);
 
-}  // namespace sunder
+}  // namespace sunder::core

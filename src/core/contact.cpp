@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace sunder {
+namespace sunder::core {
 namespace {
 
 constexpr int kMostSpheres = 8;
@@ -96,4 +96,4 @@ double contactMargin(double radiusA, double radiusB, double speed, double step) 
     return std::max(0.5 * (radiusA + radiusB), 1.1 * kContactInterval * step * speed);
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

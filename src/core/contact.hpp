@@ -2,9 +2,10 @@
 #include <array>
 #include <vector>
 
-#include "core/world.hpp"
+#include "core/cell.hpp"
+#include "core/types.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 /// Contact between cells: the model that every solver implements.
 ///
@@ -112,4 +113,4 @@ double closestApproach(const Vec3& x, const Vec3& v, double time);
 /// the pair closes in by then at the relative speed `speed` (m/s), a tenth on top.
 double contactMargin(double radiusA, double radiusB, double speed, double step);
 
-}  // namespace sunder
+}  // namespace sunder::core

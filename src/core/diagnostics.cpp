@@ -11,7 +11,7 @@
 #include "core/pieces.hpp"
 #include "core/tetrahedra.hpp"
 
-namespace sunder {
+namespace sunder::core {
 namespace {
 
 constexpr double kVolumeShare[kTetrahedraPerCell] = {1. / 6, 1. / 6, 1. / 6, 1. / 6, 1. / 3};
@@ -124,4 +124,4 @@ std::uint64_t stateHash(const State& state) {
     return hash;
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

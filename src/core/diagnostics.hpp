@@ -5,7 +5,7 @@
 
 #include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 /// What `sunder run --json` says about a state. Energies and momenta include objects'.
 struct Diagnostics {
@@ -33,4 +33,4 @@ double cellPrincipalStress(const World&, const State&, int cell);
 /// node order, then over the objects.
 std::uint64_t stateHash(const State&);
 
-}  // namespace sunder
+}  // namespace sunder::core

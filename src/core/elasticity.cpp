@@ -8,7 +8,7 @@
 
 #include "core/symmetric_eigen.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 double cellFrequencyFactor(double nu) {
     constexpr struct {
@@ -124,4 +124,4 @@ double largestPrincipalStress(const ElementLaw& law, const Mat3& F, const Mat3& 
     return symmetricEigen<double>(cauchy).values[0] * law.stressScale;
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -1,7 +1,8 @@
 #pragma once
-#include "core/world.hpp"
+#include "core/element_law.hpp"
+#include "core/material.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 /// κ(ν): the highest angular frequency of a free cubic cell of edge ℓ is κ·√(E/ρ)/ℓ, mass lumped in
 /// eighths. Boxes whose shortest edge is ℓ lie below it.
@@ -63,4 +64,4 @@ double energyDensity(const ElementLaw&, ConstitutiveLaw, const Mat3& F);
 /// maxStress.
 double largestPrincipalStress(const ElementLaw&, const Mat3& F, const Mat3& piola);
 
-}  // namespace sunder
+}  // namespace sunder::core

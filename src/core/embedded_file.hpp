@@ -1,7 +1,7 @@
 #pragma once
 #include <string_view>
 
-namespace sunder {
+namespace sunder::core {
 
 /// A file that was compiled into the program (tools/cmake/embed.cmake).
 struct EmbeddedFile {
@@ -9,4 +9,4 @@ struct EmbeddedFile {
     std::string_view text;
 };
 
-}  // namespace sunder
+}  // namespace sunder::core

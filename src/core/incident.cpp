@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunder {
+namespace sunder::core {
 
 int stepsPerLook(const World& world) {
     return std::max(1, static_cast<int>(std::lround(1 / (60 * world.step()))));
@@ -53,4 +53,4 @@ std::vector<Incident> IncidentRing::take() {
     return news;
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

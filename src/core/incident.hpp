@@ -6,7 +6,7 @@
 
 #include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 /// Something that happened: for sound, particles, game logic.
 ///
@@ -62,4 +62,4 @@ class IncidentRing {
     std::int64_t pushed_ = 0, taken_ = 0, dropped_ = 0;
 };
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace sunder {
+namespace sunder::core {
 
 IncidentWatch::IncidentWatch(const World& world, IncidentRing& ring)
     : world_(world), ring_(ring), interval_(stepsPerLook(world)) {
@@ -55,4 +55,4 @@ void IncidentWatch::look(std::int64_t step, const std::function<Vec3(int node)>&
     for (const Incident& incident : found) ring_.push(incident);
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

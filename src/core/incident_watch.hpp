@@ -4,7 +4,7 @@
 
 #include "core/incident.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 /// Collects incidents for a solver on the CPU and hands them over at every look, by cell: first its
 /// breaks, then its contact.
@@ -40,4 +40,4 @@ class IncidentWatch {
     std::vector<Load> loads_;  ///< per cell, with contact
 };
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -1,6 +1,6 @@
 #include "core/links.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 std::uint8_t linkMask(unsigned held, int octant) {
     unsigned mask = 1u << octant, before = 0;
@@ -39,4 +39,4 @@ unsigned heldBonds(const World& world, const State& state, int cell, int corner)
     return held;
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

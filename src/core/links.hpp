@@ -3,7 +3,7 @@
 
 #include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 /// The at most eight cells around a lattice point are its octants: bits 0, 1, 2 of an octant's
 /// number are set on the +x, +y, +z side. In octant o the point is the cell's corner o^7.
@@ -33,4 +33,4 @@ int cellInOctant(const World&, int cell, int corner, int octant);
 /// holds.
 unsigned heldBonds(const World&, const State&, int cell, int corner);
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace sunder {
+namespace sunder::core {
 namespace {
 
 std::string outrunNote(const World& world, const std::vector<double>& haste) {
@@ -39,4 +39,4 @@ std::vector<std::string> lossNotes(const World& world, const Solver& solver) {
     return notes;
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -1,6 +1,6 @@
 #include "core/material.hpp"
 
-namespace sunder {
+namespace sunder::core {
 namespace {
 
 using M = Material;
@@ -124,4 +124,4 @@ std::string_view toString(SurfaceKind kind) {
     return "";
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

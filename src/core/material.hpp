@@ -5,7 +5,7 @@
 
 #include "core/types.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 /// How stress follows from the deformation gradient.
 enum class ConstitutiveLaw {
@@ -99,7 +99,7 @@ struct Material {
     /// Higher: pieces bounce.
     double restitution = 0.2;
 
-    // --- Display mesh (thesis, chapter 8; core/display_lattice.hpp): a section per cell ---
+    // --- Display mesh (thesis, chapter 8; surface/display_lattice.hpp): a section per cell ---
     /// m, 0.001 to 100. On this length of a horizontal (width) or vertical (height) edge come the
     /// edge points below; the size of the cells, as in the thesis: on each section's edge. Smaller:
     /// finer splinters.
@@ -150,4 +150,4 @@ std::string_view toString(FractureMode);
 std::string_view toString(ClusterKind);
 std::string_view toString(SurfaceKind);
 
-}  // namespace sunder
+}  // namespace sunder::core

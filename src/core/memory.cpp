@@ -21,7 +21,7 @@
 #endif
 #endif
 
-namespace sunder {
+namespace sunder::core {
 namespace {
 
 /// `sunder run` with the solver cpu, the most frugal one, takes 1,140 of 400,000 cells and 1,240 of
@@ -85,4 +85,4 @@ void requireMemory(std::int64_t cells, std::uint64_t usable) {
                      " cells");
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

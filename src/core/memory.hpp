@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-namespace sunder {
+namespace sunder::core {
 
 /// Bytes that this process may hope for: seven eighths of the machine's memory, as the rest of the
 /// machine lives too, or less where a container or a limit of the shell allows less.
@@ -12,4 +12,4 @@ std::uint64_t usableMemory();
 /// without a word.
 void requireMemory(std::int64_t cells, std::uint64_t usable = usableMemory());
 
-}  // namespace sunder
+}  // namespace sunder::core

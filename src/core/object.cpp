@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace sunder {
+namespace sunder::core {
 namespace {
 
 /// A box's edges are rounded off by this share of half its shortest edge.
@@ -147,4 +147,4 @@ ObjectState thrownState(const ObjectDescription& d, const ThrowDescription& t) {
     return moving(d, t.from, t.velocity, t.spin);
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -6,7 +6,7 @@
 
 #include "core/types.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 /// Cells and objects know each other by numbers that fit into a byte on the GPU.
 inline constexpr int kMaxObjects = 250;
@@ -94,4 +94,4 @@ Eigen::Quaterniond turnedFreely(const Object& object, const ObjectState& state, 
 /// As thrown. Its orientation is that of the description.
 ObjectState thrownState(const ObjectDescription&, const ThrowDescription&);
 
-}  // namespace sunder
+}  // namespace sunder::core

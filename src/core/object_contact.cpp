@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
-namespace sunder {
+#include "core/world.hpp"
+
+namespace sunder::core {
 namespace {
 
 constexpr double kStandardGravity = 9.81;  // m/s²
@@ -193,4 +195,4 @@ Vec3 touchImpulse(const Touch& touch, const Vec3& velocity, const Yield& yield, 
     return push * touch.normal - (speed > 0 ? drag / speed : 0) * sliding;
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

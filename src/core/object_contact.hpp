@@ -5,7 +5,9 @@
 #include "core/contact.hpp"
 #include "core/object.hpp"
 
-namespace sunder {
+namespace sunder::core {
+
+class World;
 
 /// How objects touch cells, each other and the ground: the model that every solver implements.
 ///
@@ -169,4 +171,4 @@ double stoppingPart(const Touch& touch, const Vec3& velocity, const Yield& yield
 Vec3 touchImpulse(const Touch& touch, const Vec3& velocity, const Yield& yield, double restitution,
                   double friction, double step);
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -9,10 +9,10 @@
 
 #include "core/box_gap.hpp"
 #include "core/contact.hpp"
+#include "core/description.hpp"
 #include "core/room.hpp"
-#include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::core {
 namespace {
 
 std::string metres(double x) {
@@ -257,4 +257,4 @@ std::vector<Box> boxesOf(const BodyDescription& body) {
     return boxes;
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

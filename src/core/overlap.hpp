@@ -4,7 +4,7 @@
 
 #include "core/box_pairs.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 struct BodyDescription;
 struct WorldDescription;
@@ -62,4 +62,4 @@ StartOverlaps startOverlaps(const WorldDescription&);
 /// A body's cells as few boxes, in the world.
 std::vector<Box> boxesOf(const BodyDescription&);
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-namespace sunder {
+namespace sunder::core {
 
 Pieces findPieces(const World& world, const State& state) {
     // Union–find with path halving.
@@ -28,4 +28,4 @@ Pieces findPieces(const World& world, const State& state) {
     return pieces;
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -3,7 +3,7 @@
 
 #include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 struct Pieces {
     std::vector<int>
@@ -14,4 +14,4 @@ struct Pieces {
 /// Connected groups of cells: two cells belong together when a chain of unbroken bonds joins them.
 Pieces findPieces(const World&, const State&);
 
-}  // namespace sunder
+}  // namespace sunder::core

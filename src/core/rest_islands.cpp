@@ -5,7 +5,7 @@
 
 #include "core/object_contact.hpp"
 
-namespace sunder {
+namespace sunder::core {
 namespace {
 
 /// Sets that grow together (union–find with path halving).
@@ -131,4 +131,4 @@ std::vector<int> settleTouching(RestIslands& islands, const World& world,
     return islands.settle(status, restTouches(world, std::move(boxes), objects));
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -5,7 +5,7 @@
 
 #include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 /// Bodies and objects of a world in one numbering: its bodies, then its objects.
 inline int memberOfBody(int body) {
@@ -67,4 +67,4 @@ std::vector<int> settleTouching(RestIslands& islands, const World& world,
 RestIslands::Touches restTouches(const World& world, std::vector<RestBox> boxes,
                                  const std::vector<ObjectState>& objects);
 
-}  // namespace sunder
+}  // namespace sunder::core

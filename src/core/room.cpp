@@ -5,7 +5,7 @@
 
 #include "core/contact.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 double Barrier::depthAfter(double depth, double pushSpeed, double step) {
     const double speed = std::min(pushSpeed, depth / std::max(kPartingTime, step));
@@ -34,4 +34,4 @@ std::vector<Barrier> barriers(const WorldDescription& world) {
     return result;
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -3,7 +3,7 @@
 
 #include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 /// A plane across an axis that nothing passes: the floor, a wall of the room or its ceiling.
 ///
@@ -34,4 +34,4 @@ struct Barrier {
 /// The order in which every solver goes through them.
 std::vector<Barrier> barriers(const WorldDescription&);
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace sunder {
+namespace sunder::core {
 
 namespace {
 
@@ -51,4 +51,4 @@ std::int64_t nextPush(const World& world, int index, std::int64_t from) {
     return next;
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

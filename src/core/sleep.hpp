@@ -1,7 +1,7 @@
 #pragma once
 #include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 /// When a solver that lets bodies and objects sleep may do so.
 ///
@@ -56,4 +56,4 @@ bool pushedWithin(const World& world, int body, std::int64_t from, std::int64_t 
 /// where none does.
 std::int64_t nextPush(const World& world, int body, std::int64_t from);
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -5,7 +5,7 @@
 
 #include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 class IncidentRing;
 
@@ -51,4 +51,4 @@ class Solver {
     virtual bool setPassObserver([[maybe_unused]] PassObserver* observer) { return false; }
 };
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -8,7 +8,7 @@
 #include "core/object_contact.hpp"
 #include "core/room.hpp"
 
-namespace sunder {
+namespace sunder::core {
 namespace {
 
 /// Cells that reach into each other by no more than this, in edges, touch; by more, they are
@@ -193,7 +193,7 @@ class Things {
 
     double thickness(int index) const { return 2 * object(index).halfSize.minCoeff(); }
     RoundedBox boxAtStart(int index) const {
-        return sunder::boxOf(world_.objects()[index], initialState(object(index)));
+        return sunder::core::boxOf(world_.objects()[index], initialState(object(index)));
     }
     /// Around an object and everything that it may touch.
     Box boundsOf(int index) const {
@@ -317,4 +317,4 @@ std::vector<StandingGroup> standingGroups(const World& world, const StandingQuer
     return Things(world, query).groups();
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

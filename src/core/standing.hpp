@@ -4,7 +4,7 @@
 
 #include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 /// Parts of a gap in edges (of bodies' cells, of objects' smallest thickness) up to which one thing
 /// stands on another when the world begins: what a scene rounds, not what may fall.
@@ -31,4 +31,4 @@ struct StandingQuery {
 /// pull, what flies at once and what nothing carries.
 std::vector<StandingGroup> standingGroups(const World&, const StandingQuery&);
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace sunder {
+namespace sunder::core {
 namespace {
 
 /// SplitMix64's finaliser (Steele, Lea, Flood 2014).
@@ -214,4 +214,4 @@ double bondStrength(const Material& material, const Vec3& a, const Vec3& b, int 
     return strength;
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -4,7 +4,7 @@
 
 #include "core/material.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 /// A pure function of (seed, a, b): a uniform number in [0, 1). Independent of call order, the same
 /// on every machine.
@@ -25,4 +25,4 @@ Vec3 towardsClusterBoundary(const Material&, const Vec3& p, std::span<const Vec3
 double bondStrength(const Material&, const Vec3& a, const Vec3& b, int axis, std::uint64_t bond,
                     std::uint64_t seed);
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -8,7 +8,7 @@
 #include "core/box_pairs.hpp"
 #include "core/object_contact.hpp"
 
-namespace sunder {
+namespace sunder::core {
 namespace {
 
 /// Of the sum of radii of the spheres in two cells.
@@ -116,4 +116,4 @@ std::string sunkNote(const std::vector<Sunk>& sunk) {
            "more";
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -4,7 +4,7 @@
 
 #include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 /// Two things that are in each other though the scene did not put them there: more than their
 /// contact could carry.
@@ -21,4 +21,4 @@ std::vector<Sunk> sunkThings(const World&, const State&);
 /// A sentence about them, and what would carry more; empty where there are none.
 std::string sunkNote(const std::vector<Sunk>&);
 
-}  // namespace sunder
+}  // namespace sunder::core

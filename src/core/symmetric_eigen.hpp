@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-namespace sunder {
+namespace sunder::core {
 
 /// Eigenvalues, largest first, and their eigenvectors (columns, orthonormal) of a symmetric 3×3
 /// matrix.
@@ -54,4 +54,4 @@ SymmetricEigen<T> symmetricEigen(Eigen::Matrix<T, 3, 3> a) {
     return result;
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

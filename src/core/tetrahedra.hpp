@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-namespace sunder {
+namespace sunder::core {
 
 /// Corners of one tetrahedron, positively oriented: det(x₁−x₀, x₂−x₀, x₃−x₀) > 0 at rest. Corner
 /// tetrahedra start with their apex, the corner where three edges of the cell meet.
@@ -15,4 +15,4 @@ inline constexpr std::array<std::array<Tetrahedron, 5>, 2> kTetrahedra = {{
     {{{0, 1, 2, 4}, {3, 2, 1, 7}, {5, 4, 7, 1}, {6, 7, 4, 2}, {1, 2, 4, 7}}},
 }};
 
-}  // namespace sunder
+}  // namespace sunder::core

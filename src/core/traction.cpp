@@ -7,7 +7,7 @@
 #include "core/elasticity.hpp"
 #include "core/tetrahedra.hpp"
 
-namespace sunder {
+namespace sunder::core {
 namespace {
 
 CornerStresses stressesAtRest(const World& world, int cell, const std::vector<Vec3>& displacement) {
@@ -79,4 +79,4 @@ void makeStressesSlow(const World& world, int index, State& state) {
     }
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -4,7 +4,7 @@
 
 #include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::core {
 
 /// Stress of a cell's four corner tetrahedra in the material frame, T = sym(RᵀP), Pa. The one whose
 /// apex is corner a has number a/2.
@@ -25,4 +25,4 @@ void makeStressesSlow(const World&, int body, State&);
 /// next: its time is a tenth of a second.
 double slowShare(const World&);
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <stdexcept>
 
-namespace sunder {
+namespace sunder::core {
 
 using Vec3 = Eigen::Vector3d;
 using IVec3 = Eigen::Vector3i;
@@ -19,4 +19,4 @@ struct ContextError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -9,7 +9,7 @@
 #include "core/memory.hpp"
 #include "core/strength_map.hpp"
 
-namespace sunder {
+namespace sunder::core {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -246,9 +246,9 @@ void World::makeBonds() {
             // Where two materials meet, the weaker one gives way.
             for (const int side : {cell, other})
                 if (materialOf(side).fracture == FractureMode::Bond)
-                    strength =
-                        std::min(strength, sunder::bondStrength(materialOf(side), centre,
-                                                                otherCentre, axis, bond, seed));
+                    strength = std::min(
+                        strength, sunder::core::bondStrength(materialOf(side), centre, otherCentre,
+                                                             axis, bond, seed));
             bondStrength_[kBondsPerCell * cell + axis] = static_cast<float>(strength);
         }
     }
@@ -331,8 +331,8 @@ State World::initialState() const {
             if (neighbour(cell, axis, +1) >= 0) state.damage[kBondsPerCell * cell + axis] = 0;
     }
     for (const ObjectDescription& object : description_.objects)
-        state.objects.push_back(sunder::initialState(object));
+        state.objects.push_back(sunder::core::initialState(object));
     return state;
 }
 
-}  // namespace sunder
+}  // namespace sunder::core

@@ -1,101 +1,17 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "core/material.hpp"
-#include "core/object.hpp"
+#include "core/cell.hpp"
+#include "core/description.hpp"
+#include "core/element_law.hpp"
+#include "core/event.hpp"
 #include "core/overlap.hpp"
-#include "core/types.hpp"
+#include "core/state.hpp"
 
-namespace sunder {
-
-/// Corners of a cell: bit 0, 1, 2 of the corner's number is set on its +x, +y, +z side. Node =
-/// 8·cell + corner.
-inline constexpr int kCorners = 8;
-inline constexpr int kTetrahedraPerCell = 5;
-/// A cell owns the bonds through its +x, +y and +z faces. Bond = 3·cell + axis.
-inline constexpr int kBondsPerCell = 3;
-/// Damage of a bond that never was: no neighbour on that side. A bond holds while its damage is
-/// below 1.
-inline constexpr double kNoBond = 2;
-/// Material constants of one cell come from a table of this many rows at most (one uniform block).
-inline constexpr int kMaxElementLaws = 256;
-/// Node indices and texel addresses stay exact in 32 bits up to here.
-inline constexpr std::int64_t kMaxCells = 1 << 24;
-
-/// Sides of a body, seen from +z: left/right are −x/+x, bottom/top −y/+y, back/front −z/+z.
-enum class Side : std::uint8_t { Left, Right, Bottom, Top, Back, Front };
-
-/// Replaces the material of a box of cells, or removes them.
-struct RegionDescription {
-    IVec3 from{0, 0, 0};  ///< first cell
-    IVec3 to{0, 0, 0};    ///< last cell, inclusive
-    int material = -1;    ///< index into WorldDescription::materials, or −1: no cells here
-};
-
-/// A block of cells on one lattice, as a scene file gives it.
-struct BodyDescription {
-    std::string name;
-    Vec3 size{1, 1, 1};      ///< m
-    IVec3 cells{1, 1, 1};    ///< cells along x, y, z
-    Vec3 position{0, 0, 0};  ///< m, centre of the bottom face
-    int material = 0;        ///< index into WorldDescription::materials
-    std::vector<Side> anchors;
-    std::vector<RegionDescription> regions;
-    bool mayOverlap = false;  ///< when the world begins (core/overlap.hpp)
-    std::string where;        ///< for error messages, for example "wood.toml:31: body 1: position"
-};
-
-/// Something that pushes a patch of a body for a while. All nodes whose rest position lies within
-/// `radius` of `point` get the same acceleration.
-struct EventDescription {
-    enum class Kind {
-        Impulse,   ///< vector is the whole momentum given to the patch, N·s
-        Force,     ///< vector is the whole force on the patch, N
-        Velocity,  ///< vector is the change of velocity of the patch were it free, m/s
-    };
-    double time = 0;  ///< s
-    double duration =
-        5e-3;  ///< s; an impulse is spread evenly over it (0.005 by default: less dust)
-    Kind kind = Kind::Impulse;
-    int body = 0;
-    Vec3 point{0, 0, 0};  ///< m, relative to the body's position
-    double radius = 0.1;  ///< m
-    Vec3 vector{0, 0, 0};
-    std::string where;  ///< for error messages, for example "wood.toml:31: event 1"
-};
-
-/// Four walls, upright without end, that nothing passes (core/room.hpp). The floor is the ground's.
-struct RoomDescription {
-    std::array<double, 2> x{-4, 4}, z{-3, 3};  ///< m, where the walls stand: low, high
-    double friction = 0.6;                     ///< Coulomb coefficient, 1, 0 to 10
-    std::optional<double> ceiling;             ///< m, its height
-};
-
-/// What a scene file says about the world, checked field by field but not yet laid out as cells and
-/// nodes.
-struct WorldDescription {
-    std::vector<Material> materials;
-    std::vector<BodyDescription> bodies;
-    std::vector<EventDescription> events;
-    std::vector<ObjectDescription> objects;  ///< need contact
-    std::vector<ThrowDescription> throws;
-    Vec3 gravity{0, -9.81, 0};    ///< m/s²
-    bool ground = true;           ///< a floor at y = 0
-    double groundFriction = 0.6;  ///< Coulomb coefficient, 1, 0 to 10
-    std::optional<RoomDescription> room;
-    bool contact = false;  ///< whether cells push each other (core/contact.hpp)
-    /// m/s, 0.2 to 100 (slower is rest): what overlaps, and did not come to by a hit, parts no
-    /// faster (core/overlap.hpp).
-    double partingSpeed = 1;
-    double step = 1.0 / 3000;  ///< s, one substep
-    int fractureInterval = 4;  ///< substeps from one fracture update to the next, 1 to 100
-    std::uint64_t seed = 1;    ///< of the strength map
-};
+namespace sunder::core {
 
 struct Body {
     std::string name;
@@ -118,68 +34,8 @@ struct Body {
     bool contains(const IVec3& c) const;
 };
 
-/// A material too stiff for the step is made softer, and so slower: cracks in it keep pace with its
-/// waves, not with what hits it. A blow that adds a traction which strains it by this much, and
-/// that in the material itself would be kSuddenStress times the strength, breaks a bond at once.
-inline constexpr double kSuddenStrain = 0.5;
-inline constexpr double kSuddenStress = 5;
-
-/// Constants of one material on cells of one size at the world's step: what an element needs to
-/// turn strain into stress.
-struct ElementLaw {
-    int material = 0;
-    Vec3 cellSize{1, 1, 1};
-    double youngModulus = 0;    ///< Pa, E_eff: not more than the step can carry
-    bool limited = false;       ///< E_eff < the material's
-    double lambda = 0, mu = 0;  ///< Pa, Lamé parameters of E_eff
-    double stressScale = 1;     ///< S = √(E/E_eff): what an impact's stress lost to the limit
-    double damageTime = 1;      ///< s, τ = ℓ_d/√(E_eff/ρ)
-    double maxStress = 0;       ///< Pa; infinite unless fracture = cell
-    double suddenTraction = 0;  ///< Pa, kSuddenStrain·E_eff; infinite unless E is limited
-    double restitution = 0;     ///< of the material, rounded to 1/255: what objects bounce with
-    double contactDamping = 0;  ///< α of core/contact.hpp, from the material's restitution
-    double hotViscosity = 0;    ///< Pa·s, of strongly deformed elements (core/elasticity.hpp)
-    double largestStress = std::numeric_limits<double>::infinity();  ///< Pa, |P| by Green's law
-};
-
 /// Up to here a spring of the lighter cell's mass carries a few layers of the heavier ones.
 inline constexpr double kUnequal = 8;
-
-struct Event {
-    int body;
-    Eigen::Vector3f
-        point;  ///< m, world; single precision so that every solver picks the same nodes
-    float radius;
-    Vec3 acceleration;  ///< m/s²
-    double start, end;  ///< in steps, fractions count
-    /// Share of step number `step` that lies inside [start, end], 0 to 1.
-    double weight(std::int64_t step) const;
-};
-
-/// An object that is thrown as step number `step` begins.
-struct Throw {
-    std::int64_t step = 0;
-    int object = 0;
-    ObjectState state;
-};
-
-/// Whether a node is in an event's patch. The same single-precision operations in the same order as
-/// glsl/physics/events.glsl.
-bool insidePatch(const Event&, const Eigen::Vector3f& rest);
-
-/// The state a solver advances. Doubles hold every solver's values without loss.
-struct State {
-    std::int64_t step = 0;
-    std::vector<Vec3> displacement;  ///< m, per node, from rest
-    std::vector<Vec3> velocity;      ///< m/s, per node
-    std::vector<double>
-        damage;                ///< per bond; holds below 1, never decreases; kNoBond: no neighbour
-    std::vector<double> slow;  ///< Pa, per bond: slow part of its traction
-    /// Pa, per cell: slow part of its largest principal stress; 0 unless it breaks by that
-    /// (`fracture = "cell"`) and its stiffness is limited.
-    std::vector<double> slowStress;
-    std::vector<ObjectState> objects;
-};
 
 /// Bodies laid out as cells, nodes and bonds: everything that does not change while time runs.
 /// Cells of all bodies share one numbering, dense within a body (x fastest), so neighbours follow
@@ -274,4 +130,4 @@ class World {
     int bondCount_ = 0;
 };
 
-}  // namespace sunder
+}  // namespace sunder::core

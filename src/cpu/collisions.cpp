@@ -5,7 +5,10 @@
 
 #include "core/box_pairs.hpp"
 
-namespace sunder {
+namespace sunder::cpu {
+
+using namespace core;
+
 namespace {
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
@@ -77,4 +80,4 @@ std::vector<std::array<int, 2>> collidingBodies(const World& world, const State&
     return pairs;
 }
 
-}  // namespace sunder
+}  // namespace sunder::cpu

@@ -4,10 +4,11 @@
 
 #include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::cpu {
 
 /// Pairs of bodies with cells that have come to overlap, by more than `depth` of their shortest
 /// edge and by more than they did at rest; the boxes around deformed cells stand for them.
-std::vector<std::array<int, 2>> collidingBodies(const World&, const State&, double depth);
+std::vector<std::array<int, 2>> collidingBodies(const core::World&, const core::State&,
+                                                double depth);
 
-}  // namespace sunder
+}  // namespace sunder::cpu

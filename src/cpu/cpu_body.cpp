@@ -11,6 +11,9 @@
 #include "core/elasticity.hpp"
 
 namespace sunder::cpu {
+
+using namespace core;
+
 namespace {
 
 constexpr std::size_t kAlignment = 64;

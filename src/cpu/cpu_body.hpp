@@ -101,7 +101,7 @@ struct BodyArrays {
     int place(int x, int y, int z) const { return x * steps[0] + y * steps[1] + z * steps[2]; }
 };
 
-inline constexpr int kNodeComponents = 3 * kCorners;
+inline constexpr int kNodeComponents = 3 * core::kCorners;
 
 /// Where component number `component` of `count` stands for a cell in an array of tiles.
 constexpr std::ptrdiff_t tiled(int count, int component, int cell) {
@@ -118,7 +118,7 @@ struct Push {
 /// Memory for the arrays of one body, aligned and padded. Moves, does not copy.
 class BodyStorage {
   public:
-    BodyStorage(const World& world, int body, const std::vector<Law>& laws);
+    BodyStorage(const core::World& world, int body, const std::vector<Law>& laws);
     BodyArrays& arrays() { return arrays_; }
     const BodyArrays& arrays() const { return arrays_; }
     std::size_t bytes() const { return bytes_; }
@@ -127,20 +127,20 @@ class BodyStorage {
     struct Free {
         void operator()(std::byte* memory) const;
     };
-    void choose(const World& world);
+    void choose(const core::World& world);
     void allocate();
-    void fill(const World& world);
+    void fill(const core::World& world);
 
     BodyArrays arrays_;
     std::unique_ptr<std::byte[], Free> memory_;
     std::size_t bytes_ = 0;
 };
 
-std::vector<Law> makeLaws(const World& world);
+std::vector<Law> makeLaws(const core::World& world);
 
 /// Works out link masks and masses of joined groups: everywhere, or around the bonds in `broke`,
 /// which it clears. `nodeMass` is taken from the world.
-void relinkAll(const World& world, BodyArrays& body);
-void relinkBroken(const World& world, BodyArrays& body);
+void relinkAll(const core::World& world, BodyArrays& body);
+void relinkBroken(const core::World& world, BodyArrays& body);
 
 }  // namespace sunder::cpu

@@ -6,11 +6,8 @@
 #include <span>
 
 namespace sunder::cpu {
-namespace {
 
-constexpr double kNowhere = std::numeric_limits<double>::infinity();
-
-}  // namespace
+using namespace core;
 
 BodyRun::BodyRun(const World& world, int index, const std::vector<Law>& laws)
     : world_(world), storage_(world, index, laws), news_(kMaxParts) {
@@ -33,7 +30,7 @@ BodyRun::BodyRun(const World& world, int index, const std::vector<Law>& laws)
     const double calm = calmSpeed(world, body), creep = creepSpeed(world, body);
     calmSpeed2_ = static_cast<float>(calm * calm);
     creepSpeed2_ = static_cast<float>(creep * creep);
-    sleepSteps_ = sunder::sleepSteps(world);
+    sleepSteps_ = sunder::core::sleepSteps(world);
 }
 
 std::size_t BodyRun::bytes() const {
@@ -197,7 +194,8 @@ void BodyRun::addRestBoxes(std::vector<RestBox>& boxes) const {
     const Vec3 reach = Vec3::Constant(restReach(body));
     for (int first = body.firstCell; first < body.firstCell + body.cellCount();
          first += kCellsPerRestBox) {
-        RestBox box{memberOfBody(index), Vec3::Constant(kNowhere), Vec3::Constant(-kNowhere)};
+        constexpr double far = std::numeric_limits<double>::infinity();
+        RestBox box{memberOfBody(index), Vec3::Constant(far), Vec3::Constant(-far)};
         const int end = std::min(first + kCellsPerRestBox, body.firstCell + body.cellCount());
         for (int node = kCorners * first; node < kCorners * end; ++node) {
             if (!world_.present(node / kCorners)) continue;

@@ -12,7 +12,7 @@ namespace sunder::cpu {
 /// One body on its way through time.
 class BodyRun {
   public:
-    BodyRun(const World& world, int body, const std::vector<Law>& laws);
+    BodyRun(const core::World& world, int body, const std::vector<Law>& laws);
 
     /// Advances from step number `from`. `split(vectors, work)` calls work(first, end, part) for
     /// parts 0..kMaxParts−1 of the vectors, in any order and in as many threads as it likes.
@@ -40,10 +40,10 @@ class BodyRun {
         broken_.clear();
     }
     /// m, of one of the body's nodes.
-    Vec3 position(int node) const;
+    core::Vec3 position(int node) const;
 
-    void load(const State& state);
-    void store(State& state) const;
+    void load(const core::State& state);
+    void store(core::State& state) const;
     bool asleep() const { return asleep_; }
     /// Whether it has been calm for long enough to sleep.
     bool ready() const { return calmSteps_ >= sleepSteps_; }
@@ -53,7 +53,7 @@ class BodyRun {
         calmSteps_ = 0;
     }
     /// Adds boxes around its cells as they are now (core/rest_islands.hpp).
-    void addRestBoxes(std::vector<RestBox>& boxes) const;
+    void addRestBoxes(std::vector<core::RestBox>& boxes) const;
     /// J, of a stretch of the body's vectors.
     double kineticEnergy(int first, int end) const;
     /// Wakes the body, too.
@@ -92,7 +92,7 @@ class BodyRun {
     void updateSleep(bool calm);
     void listBroken();
 
-    const World& world_;
+    const core::World& world_;
     BodyStorage storage_;
     std::vector<Patch> patches_;
     std::vector<Push> pushes_;  ///< at work in this step
@@ -109,7 +109,7 @@ class BodyRun {
 
 template <class Split>
 void BodyRun::advance(std::int64_t from, int steps, const Split& split) {
-    if (asleep_ && !pushedWithin(world_, storage_.arrays().index, from, from + steps)) return;
+    if (asleep_ && !core::pushedWithin(world_, storage_.arrays().index, from, from + steps)) return;
     const int vectors = storage_.arrays().vectors;
     for (std::int64_t step = from; step < from + steps; ++step) {
         if (!startStep(step)) continue;

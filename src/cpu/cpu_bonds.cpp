@@ -11,6 +11,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace sunder::cpu::HWY_NAMESPACE {
 
+using namespace core;
+
 /// Components of a symmetric stress xx yy zz xy yz zx: those of a face with normal x, y, z.
 constexpr int kShear[3][2] = {{3, 5}, {3, 4}, {5, 4}};
 /// Tetrahedra (number: apex >> 1) whose apex lies on the +x, +y, +z face; in a mirrored cell those

@@ -6,6 +6,9 @@
 #include <limits>
 
 namespace sunder::cpu {
+
+using namespace core;
+
 namespace {
 
 constexpr int kTilesPerStretch = 32;

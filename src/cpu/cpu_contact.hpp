@@ -36,7 +36,7 @@ inline float dot(const std::array<float, 3>& a, const std::array<float, 3>& b) {
 class Contact {
   public:
     /// `bodies`: all of the world's, in its order; both must outlive it.
-    Contact(const World& world, std::vector<const BodyArrays*> bodies);
+    Contact(const core::World& world, std::vector<const BodyArrays*> bodies);
 
     struct BodyStatus {
         bool held = true, awake = true;
@@ -80,7 +80,7 @@ class Contact {
     bool wantsFreeMotions() const { return world_.unequalCells(); }
     void findFreeMotions(Range cells);
     /// Gets to know what is pushed; null: nobody does.
-    void setWatch(IncidentWatch* watch) { watch_ = watch; }
+    void setWatch(core::IncidentWatch* watch) { watch_ = watch; }
 
     std::size_t bytes() const;
 
@@ -90,9 +90,9 @@ class Contact {
         int first;    ///< number of its first sphere; sphere s of cell c is first + s·stride + c
         int stride;   ///< cells, padded
         int spheres;  ///< of each cell
-        float radius, edge;                                 ///< m
-        std::array<std::array<float, kCorners>, 8> weight;  ///< [sphere][corner]
-        bool present = false;                               ///< all cells are
+        float radius, edge;                                       ///< m
+        std::array<std::array<float, core::kCorners>, 8> weight;  ///< [sphere][corner]
+        bool present = false;                                     ///< all cells are
         BodyStatus status;
         bool settled = false;  ///< asleep, and its spheres known
         bool broken = false;   ///< some lattice neighbours are not joined
@@ -144,14 +144,14 @@ class Contact {
     template <class Entry>
     static Range within(const std::vector<Entry>& entries, Range all, int Entry::*key, int first,
                         int end);
-    void layOut(const World& world);
+    void layOut(const core::World& world);
     void centreTile(const BodyContact& body, int tile, int sphere);
     /// touchTime() of core/contact.hpp; infinite where the spheres surely do not touch.
     float touchTime(const std::array<float, 3>& x, const std::array<float, 3>& v,
                     float radii) const;
     bool apart(int sphere, int other) const;
     /// How the bodies of two spheres part that overlap from the start; null: they do not.
-    const Parting* partingOf(int sphere, int other) const;
+    const core::Parting* partingOf(int sphere, int other) const;
     void measure(Stretch& stretch);
     void measureTile(const BodyContact& body, int tile, Bounds& bounds);
     void measureBodies(const ForEach& forEach);
@@ -172,7 +172,7 @@ class Contact {
         return world_.bodies()[bodies_[bodyOf_[sphere]].arrays->index].cellAt(lattice_[sphere]);
     }
 
-    const World& world_;
+    const core::World& world_;
     std::vector<BodyContact> bodies_;
     std::vector<CellLaw> laws_;
     float step_ = 0, closing_ = 0;  ///< s; closing_·speed: the margin that speed asks for
@@ -181,7 +181,7 @@ class Contact {
     float pushSpeed_ = 0;           ///< m/s
     float sweptSpeed_ = 0;          ///< 1/s: faster than that times the radii is fast
     bool due_ = true;
-    IncidentWatch* watch_ = nullptr;
+    core::IncidentWatch* watch_ = nullptr;
 
     // Per sphere.
     std::array<std::vector<float>, 3> rest_, moved_, velocity_;  ///< m, m, m/s
@@ -197,8 +197,8 @@ class Contact {
     std::vector<std::uint16_t> lawOf_;
     std::vector<std::uint8_t> there_;  ///< its cell is present
     std::vector<Near> near_;
-    std::vector<IVec3> lattice_;  ///< its cell's coordinates
-    std::vector<int> crowd_;      ///< N, at the cell's first sphere
+    std::vector<core::IVec3> lattice_;  ///< its cell's coordinates
+    std::vector<int> crowd_;            ///< N, at the cell's first sphere
 
     std::vector<Stretch> stretches_;
     ContactGrid grid_;

@@ -6,6 +6,9 @@
 #include "cpu/cpu_contact.hpp"
 
 namespace sunder::cpu {
+
+using namespace core;
+
 namespace {
 
 /// What a sphere may move, in radii, or in searches at its speed, before candidates are renewed.

@@ -6,6 +6,9 @@
 #include "cpu/cpu_contact.hpp"
 
 namespace sunder::cpu {
+
+using namespace core;
+
 namespace {
 
 constexpr int kCandidatesPerPart = 4096;

@@ -21,6 +21,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace sunder::cpu::HWY_NAMESPACE {
 
+using namespace core;
+
 /// b is five times as large in strongly deformed elements.
 constexpr float kHotRate = 5.f;
 

@@ -5,6 +5,9 @@
 #include "cpu/cpu_body.hpp"
 
 namespace sunder::cpu {
+
+using namespace core;
+
 namespace {
 
 /// linkMask() of every octant for all 4,096 states of the twelve bonds around a lattice point.

@@ -11,6 +11,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace sunder::cpu::HWY_NAMESPACE {
 
+using namespace core;
+
 using DI = hn::RebindToUnsigned<D>;
 using DB = hn::Rebind<std::uint8_t, D>;
 using VI = hn::Vec<DI>;

@@ -4,6 +4,8 @@
 
 namespace sunder::cpu {
 
+using namespace core;
+
 ObjectCells::ObjectCells(const World& world, std::vector<const BodyArrays*> bodies,
                          const Contact& contact)
     : world_(world), bodies_(std::move(bodies)), contact_(contact) {}

@@ -10,12 +10,14 @@ namespace sunder::cpu {
 class ObjectCells : public Objects::Cells {
   public:
     /// `bodies`: all of the world's, in its order. All three must outlive it.
-    ObjectCells(const World& world, std::vector<const BodyArrays*> bodies, const Contact& contact);
+    ObjectCells(const core::World& world, std::vector<const BodyArrays*> bodies,
+                const Contact& contact);
 
     Bounds bounds(int body) const override;
-    CellMotion motion(int cell) const override;
+    core::CellMotion motion(int cell) const override;
     std::uint8_t links(int cell, int corner) const override;
-    void push(int cell, const std::array<double, kCorners>& weights, const Vec3& force) override;
+    void push(int cell, const std::array<double, core::kCorners>& weights,
+              const core::Vec3& force) override;
 
   private:
     struct Place {
@@ -24,7 +26,7 @@ class ObjectCells : public Objects::Cells {
     };
     Place placeOf(int cell) const;
 
-    const World& world_;
+    const core::World& world_;
     std::vector<const BodyArrays*> bodies_;
     const Contact& contact_;
 };

@@ -2,7 +2,10 @@
 // otherwise a body goes through all of them while it lies in the cache. The bits are the same.
 #include "cpu/cpu_runner.hpp"
 
-namespace sunder {
+namespace sunder::cpu {
+
+using namespace core;
+
 namespace {
 
 void tellForces(PassObserver& observer, const char* pass, const cpu::BodyArrays& body) {
@@ -65,4 +68,4 @@ void CpuSolver::advanceObserved(int steps, bool contact) {
     }
 }
 
-}  // namespace sunder
+}  // namespace sunder::cpu

@@ -11,7 +11,7 @@
 #include "cpu/flush_denormals.hpp"
 #include "cpu/parallel.hpp"
 
-namespace sunder {
+namespace sunder::cpu {
 
 struct CpuSolver::BodyRun : cpu::BodyRun {
     using cpu::BodyRun::BodyRun;
@@ -30,11 +30,11 @@ struct CpuSolver::Runner {
     std::optional<cpu::Contact> contact;
     std::optional<Objects> objects;
     std::optional<cpu::ObjectCells> objectCells;
-    std::unique_ptr<IncidentWatch> watch;
-    PassObserver* observer = nullptr;
-    std::vector<bool> touching;       ///< per body: something else may touch it
-    std::optional<RestIslands> rest;  ///< with contact
-    int restInterval = 0;             ///< steps from one look for rest to the next
+    std::unique_ptr<core::IncidentWatch> watch;
+    core::PassObserver* observer = nullptr;
+    std::vector<bool> touching;             ///< per body: something else may touch it
+    std::optional<core::RestIslands> rest;  ///< with contact
+    int restInterval = 0;                   ///< steps from one look for rest to the next
     /// Awake bodies that may touch something, in groups that have nothing to do with each other;
     /// with objects, the first are those near one and what hangs on them.
     std::vector<std::vector<int>> islands;
@@ -61,4 +61,4 @@ struct CpuSolver::Runner {
     }
 };
 
-}  // namespace sunder
+}  // namespace sunder::cpu

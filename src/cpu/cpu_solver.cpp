@@ -6,7 +6,10 @@
 #include "cpu/cpu_runner.hpp"
 #include "cpu/parallel.hpp"
 
-namespace sunder {
+namespace sunder::cpu {
+
+using namespace core;
+
 namespace {
 
 /// A stretch of fewer vectors is not worth a thread of its own.
@@ -455,4 +458,4 @@ double CpuSolver::bytesPerTetrahedron() const {
     return static_cast<double>(bytes) / (kTetrahedraPerCell * world_.presentCells());
 }
 
-}  // namespace sunder
+}  // namespace sunder::cpu

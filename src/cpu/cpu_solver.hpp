@@ -5,33 +5,33 @@
 #include "core/body_host.hpp"
 #include "core/solver.hpp"
 
-namespace sunder {
+namespace sunder::cpu {
 
 /// What a game would ship: several cells at once on every core, single precision. Bodies are shared
 /// out to the cores whole where there are enough of them; a large one is split into stretches of
 /// cells. The result does not depend on the number of cores or the width of their vectors.
 /// Bodies at rest sleep (core/sleep.hpp). Bodies that it does not hold are in contact with nothing.
-class CpuSolver : public Solver, public BodyHost {
+class CpuSolver : public core::Solver, public core::BodyHost {
   public:
     /// `world` must outlive the solver. threads: 0 for one per core.
-    explicit CpuSolver(const World& world, int threads = 0);
+    explicit CpuSolver(const core::World& world, int threads = 0);
     ~CpuSolver() override;
 
     std::string_view name() const override { return "cpu"; }
     void advance(int steps) override;
-    State state() const override;
-    void setState(const State& state) override;
+    core::State state() const override;
+    void setState(const core::State& state) override;
     bool asleep(int body) const override;
     bool objectAsleep(int object) const override;
-    void setIncidents(IncidentRing* ring) override;
-    bool setPassObserver(PassObserver* observer) override;
+    void setIncidents(core::IncidentRing* ring) override;
+    bool setPassObserver(core::PassObserver* observer) override;
 
-    void adopt(const std::vector<int>& bodies, const State& state) override;
-    void release(const std::vector<int>& bodies, State& state) override;
+    void adopt(const std::vector<int>& bodies, const core::State& state) override;
+    void release(const std::vector<int>& bodies, core::State& state) override;
     bool holds(int body) const override;
     /// Puts a body that it holds into its part of `state`.
-    void store(int body, State& state) const;
-    void storeObjects(State& state) const;
+    void store(int body, core::State& state) const;
+    void storeObjects(core::State& state) const;
 
     /// J, of bodies that it holds and of objects.
     double kineticEnergy() const;
@@ -63,16 +63,16 @@ class CpuSolver : public Solver, public BodyHost {
     void wake(int member);
     void wakePushed(std::int64_t until);
     void startThrows();
-    void setObjects(const State& state);
+    void setObjects(const core::State& state);
     void findIslands();
     void lookForIncidents();
     /// Whether objects advance with this island: the first one.
     bool hasObjects(const std::vector<int>& island) const;
 
-    const World& world_;
+    const core::World& world_;
     std::int64_t step_ = 0;
     std::vector<std::unique_ptr<BodyRun>> bodies_;
     std::unique_ptr<Runner> runner_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::cpu

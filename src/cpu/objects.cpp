@@ -5,7 +5,10 @@
 
 #include "core/links.hpp"
 
-namespace sunder {
+namespace sunder::cpu {
+
+using namespace core;
+
 namespace {
 
 /// The corners of an object's core: the points with which it meets planes and other objects.
@@ -368,4 +371,4 @@ void Objects::move(int index, const Impulse& given) {
     unrest.touched |= objectTouches_[index] > 0;
 }
 
-}  // namespace sunder
+}  // namespace sunder::cpu

@@ -9,7 +9,7 @@
 #include "core/sleep.hpp"
 #include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::cpu {
 
 /// The world's objects (core/object_contact.hpp) for the solvers on the CPU: what they push, what
 /// pushes them, how they move.
@@ -20,28 +20,28 @@ class Objects {
       public:
         virtual ~Cells() = default;
         struct Bounds {
-            Vec3 low, high;  ///< m
+            core::Vec3 low, high;  ///< m
         };
         /// Around all nodes of a body, and where they get within kContactInterval steps.
         virtual Bounds bounds(int body) const = 0;
-        virtual CellMotion motion(int cell) const = 0;
+        virtual core::CellMotion motion(int cell) const = 0;
         /// linkMask() of one of its corners.
         virtual std::uint8_t links(int cell, int corner) const = 0;
         /// Adds weights[corner]·force (N) to the forces on a cell's corners.
-        virtual void push(int cell, const std::array<double, kCorners>& weights,
-                          const Vec3& force) = 0;
+        virtual void push(int cell, const std::array<double, core::kCorners>& weights,
+                          const core::Vec3& force) = 0;
     };
 
-    explicit Objects(const World& world);
+    explicit Objects(const core::World& world);
 
-    const std::vector<ObjectState>& states() const { return states_; }
+    const std::vector<core::ObjectState>& states() const { return states_; }
     /// All of them are awake.
-    void set(const std::vector<ObjectState>& states);
-    void set(int object, const ObjectState& state);
+    void set(const std::vector<core::ObjectState>& states);
+    void set(int object, const core::ObjectState& state);
     /// Their spins, too; wakes all of them.
     void scaleVelocities(double factor);
     /// Gets to know what is pushed; null: nobody does.
-    void setWatch(IncidentWatch* watch) { watch_ = watch; }
+    void setWatch(core::IncidentWatch* watch) { watch_ = watch; }
 
     /// Objects that step number `step` begins with are thrown.
     void startStep(std::int64_t step);
@@ -59,7 +59,7 @@ class Objects {
 
     /// Takes note of what each did since the last time, `steps` steps ago.
     void look(int steps);
-    RestIslands::Status restStatus(int object) const;
+    core::RestIslands::Status restStatus(int object) const;
     bool asleep(int object) const { return asleep_[object]; }
     void fallAsleep(int object);
     void wake(int object);
@@ -78,26 +78,26 @@ class Objects {
     /// Two sides that touch in this step: an object, and a cell, an object or a
     /// barrier.
     struct Active {
-        Touch touch;
+        core::Touch touch;
         int object, cell, other;  ///< −1: not that
-        Vec3 velocity;            ///< m/s, relative to the object
+        core::Vec3 velocity;      ///< m/s, relative to the object
         double restitution, friction;
-        Yield yield;  ///< of a cell
-        std::array<double, kCorners> weights;
+        core::Yield yield;  ///< of a cell
+        std::array<double, core::kCorners> weights;
     };
     struct Impulse {
-        TouchSum sum;
-        Vec3 angular{0, 0, 0};  ///< N·m·s
+        core::TouchSum sum;
+        core::Vec3 angular{0, 0, 0};  ///< N·m·s
     };
     struct Rest {
-        ObjectUnrest unrest;
+        core::ObjectUnrest unrest;
         int calmSteps = 0;
     };
 
     void findOf(int object, int body, const Cells& cells, const Cells::Bounds& bounds);
     void touchCell(const Candidate& candidate, const Cells& cells);
-    void pushOut(Touch& touch, const RoundedBox& object, const RoundedBox& box, int cell,
-                 const Cells& cells) const;
+    void pushOut(core::Touch& touch, const core::RoundedBox& object, const core::RoundedBox& box,
+                 int cell, const Cells& cells) const;
     void touchBarriers(int object);
     void touchObjects(int a, int b);
     void add(Active active);
@@ -105,18 +105,20 @@ class Objects {
     void findDisturbed();
     void move(int object, const Impulse& given);
     double speed(int object) const;
-    bool moves(int object) const { return speed(object) > kStirringSpeed; }
+    bool moves(int object) const { return speed(object) > core::kStirringSpeed; }
     /// It does not yield: fixed, or asleep.
     bool still(int object) const {
         return world_.objects()[object].inverseMass == 0 || asleep_[object];
     }
-    Yield yield(int object, const Touch& touch) const;
-    double share(int object) const { return loadShare(world_.objects()[object], states_[object]); }
+    core::Yield yield(int object, const core::Touch& touch) const;
+    double share(int object) const {
+        return core::loadShare(world_.objects()[object], states_[object]);
+    }
 
-    const World& world_;
-    std::vector<ContactProxy> proxies_;  ///< per body
-    std::vector<Barrier> barriers_;
-    std::vector<ObjectState> states_;
+    const core::World& world_;
+    std::vector<core::ContactProxy> proxies_;  ///< per body
+    std::vector<core::Barrier> barriers_;
+    std::vector<core::ObjectState> states_;
     std::vector<Candidate> candidates_;     ///< by cell
     std::vector<bool> near_, hit_;          ///< per body
     std::vector<bool> disturbed_, asleep_;  ///< per object
@@ -128,8 +130,8 @@ class Objects {
     std::vector<int> cellTouches_;    ///< N, per candidate's cell, 0 between steps
     std::vector<int> objectTouches_;  ///< K
     std::vector<Impulse> impulses_;
-    IncidentWatch* watch_ = nullptr;
+    core::IncidentWatch* watch_ = nullptr;
     bool searchDue_ = true;
 };
 
-}  // namespace sunder
+}  // namespace sunder::cpu

@@ -8,7 +8,9 @@
 #include "core/links.hpp"
 #include "core/tetrahedra.hpp"
 
-namespace sunder {
+namespace sunder::cpu {
+
+using namespace core;
 
 /// The nodes as objects see them.
 class ReferenceSolver::ObjectCells : public Objects::Cells {
@@ -324,4 +326,4 @@ void ReferenceSolver::updateLinks() {
                                 (node % kCorners) ^ 7);
 }
 
-}  // namespace sunder
+}  // namespace sunder::cpu

@@ -11,25 +11,25 @@
 #include "cpu/objects.hpp"
 #include "cpu/reference_contact.hpp"
 
-namespace sunder {
+namespace sunder::cpu {
 
 /// The thesis's CPU version: plain loops in double precision, one step after the other. Slow,
 /// obvious, and what every other solver is compared with. Shares no code with the GPU's shaders.
-class ReferenceSolver : public Solver {
+class ReferenceSolver : public core::Solver {
   public:
-    explicit ReferenceSolver(const World& world);
+    explicit ReferenceSolver(const core::World& world);
 
     std::string_view name() const override { return "reference"; }
     void advance(int steps) override;
-    State state() const override;
-    void setState(const State& state) override;
-    void setIncidents(IncidentRing* ring) override;
+    core::State state() const override;
+    void setState(const core::State& state) override;
+    void setIncidents(core::IncidentRing* ring) override;
 
   private:
     struct Element {
         std::array<int, 4> nodes;
-        Mat3 inverseRest;  ///< D_m⁻¹, 1/m
-        double volume;     ///< m³
+        core::Mat3 inverseRest;  ///< D_m⁻¹, 1/m
+        double volume;           ///< m³
         int cell;
         int apex;  ///< corner of the cell, or −1 for the central tetrahedron
     };
@@ -38,13 +38,13 @@ class ReferenceSolver : public Solver {
     void updateElements(bool fracture);
     /// Deformation gradients of an element and of its rate.
     struct Deformation {
-        Mat3 F, rate;
+        core::Mat3 F, rate;
     };
     Deformation deformationOf(const Element&) const;
     /// What hangs together with a node, itself among it.
     struct NodeGroup {
-        Vec3 force{0, 0, 0};  ///< N
-        double mass = 0;      ///< kg
+        core::Vec3 force{0, 0, 0};  ///< N
+        double mass = 0;            ///< kg
         bool anchored = false;
         int listed = 0;  ///< of its cells, those that may touch something
     };
@@ -63,22 +63,22 @@ class ReferenceSolver : public Solver {
         double equivalent;  ///< dynamic part scaled by S
         double blow;        ///< dynamic part as it is
     };
-    Load loadOf(int cell, int axis, const ElementLaw&);
+    Load loadOf(int cell, int axis, const core::ElementLaw&);
 
-    const World& world_;
-    std::vector<Barrier> barriers_;
+    const core::World& world_;
+    std::vector<core::Barrier> barriers_;
     std::vector<Element> elements_;
-    std::vector<std::vector<int>> eventNodes_;  ///< nodes in each event's patch
-    std::vector<Vec3> eventAcceleration_;       ///< m/s², per node, of the step in progress
-    State state_;
-    std::vector<Vec3> force_;                 ///< N, per node, of this copy alone
-    std::vector<std::uint8_t> links_;         ///< per node, linkMask()
-    std::vector<CornerStresses> cellStress_;  ///< valid after updateElements(true)
-    std::vector<double> principal_;           ///< Pa, per cell, likewise
+    std::vector<std::vector<int>> eventNodes_;   ///< nodes in each event's patch
+    std::vector<core::Vec3> eventAcceleration_;  ///< m/s², per node, of the step in progress
+    core::State state_;
+    std::vector<core::Vec3> force_;                 ///< N, per node, of this copy alone
+    std::vector<std::uint8_t> links_;               ///< per node, linkMask()
+    std::vector<core::CornerStresses> cellStress_;  ///< valid after updateElements(true)
+    std::vector<double> principal_;                 ///< Pa, per cell, likewise
     std::optional<ReferenceContact> contact_;
     std::optional<Objects> objects_;
-    std::unique_ptr<IncidentWatch> watch_;
+    std::unique_ptr<core::IncidentWatch> watch_;
     bool searchDue_ = true;  ///< the state was set: pairs are unknown
 };
 
-}  // namespace sunder
+}  // namespace sunder::cpu

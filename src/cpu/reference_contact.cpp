@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunder {
+namespace sunder::cpu {
+
+using namespace core;
 
 ReferenceContact::ReferenceContact(const World& world) : world_(world) {
     for (const Body& body : world.bodies()) {
@@ -174,4 +176,4 @@ void ReferenceContact::addForces(const State& state, const std::vector<FreeNode>
     }
 }
 
-}  // namespace sunder
+}  // namespace sunder::cpu

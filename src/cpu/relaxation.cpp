@@ -13,7 +13,10 @@
 #include "core/traction.hpp"
 #include "cpu/cpu_solver.hpp"
 
-namespace sunder {
+namespace sunder::cpu {
+
+using namespace core;
+
 namespace {
 
 /// Steps from one look at the kinetic energy to the next: a fraction of the fastest swing.
@@ -347,4 +350,4 @@ void Relaxation::write(const Shape& now, State& state) const {
     }
 }
 
-}  // namespace sunder
+}  // namespace sunder::cpu

@@ -4,7 +4,7 @@
 
 #include "core/standing.hpp"
 
-namespace sunder {
+namespace sunder::cpu {
 
 /// The search for the state of rest of a group of things that stand: dynamic relaxation with
 /// kinetic damping (Cundall 1976; Barnes 1999) on a copy of the group in which nothing breaks.
@@ -20,38 +20,39 @@ class Relaxation {
     };
 
     /// Both must outlive it.
-    Relaxation(const World& world, const StandingGroup& group);
+    Relaxation(const core::World& world, const core::StandingGroup& group);
 
     /// Writes displacements of the group's bodies, the static tractions of their bonds and the
     /// places of its objects into `state`, which is the world's. `progress` hears the share of the
     /// steps that is done.
-    Outcome run(State& state, int steps, const std::function<void(double)>& progress);
+    Outcome run(core::State& state, int steps, const std::function<void(double)>& progress);
 
     /// What toppled, as indices into the world's bodies and objects.
-    const StandingGroup& toppled() const { return toppled_; }
+    const core::StandingGroup& toppled() const { return toppled_; }
 
   private:
     /// Of the copy; its objects are the group's, then those that do not move.
     struct Shape {
-        std::vector<Vec3> displacement;
-        std::vector<ObjectState> objects;
+        std::vector<core::Vec3> displacement;
+        std::vector<core::ObjectState> objects;
     };
     class Damping;
 
-    Outcome relax(const World& copy, State& state);
+    Outcome relax(const core::World& copy, core::State& state);
     double stepStretch() const;
-    bool topples(const World& copy, const Shape& now);
-    bool keepsShape(const World& copy, const Shape& before, const Shape& now, int steps) const;
-    bool keepsStress(const Shape& now, State& state) const;
-    void write(const Shape& now, State& state) const;
+    bool topples(const core::World& copy, const Shape& now);
+    bool keepsShape(const core::World& copy, const Shape& before, const Shape& now,
+                    int steps) const;
+    bool keepsStress(const Shape& now, core::State& state) const;
+    void write(const Shape& now, core::State& state) const;
 
-    const World& world_;
-    const StandingGroup& group_;
-    WorldDescription alone_;  ///< the copy's
+    const core::World& world_;
+    const core::StandingGroup& group_;
+    core::WorldDescription alone_;  ///< the copy's
     Shape reached_;
     int stepsLeft_ = 0, steps_ = 0;
     std::function<void(double)> progress_;
-    StandingGroup toppled_;
+    core::StandingGroup toppled_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::cpu

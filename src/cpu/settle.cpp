@@ -9,7 +9,10 @@
 #include "cpu/collisions.hpp"
 #include "cpu/relaxation.hpp"
 
-namespace sunder {
+namespace sunder::cpu {
+
+using namespace core;
+
 namespace {
 
 /// Steps allowed for each group, and in steps of one cell for all: seconds on a single core. Beams,
@@ -228,4 +231,4 @@ std::string restlessWarning(const Start& start) {
            ": weight may act there as an impact when the world begins";
 }
 
-}  // namespace sunder
+}  // namespace sunder::cpu

@@ -5,11 +5,11 @@
 
 #include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::cpu {
 
 /// How a world begins.
 struct Start {
-    State state;
+    core::State state;
     /// Bodies that something carries, but whose state of rest was not found with the work allowed
     /// for it, or lies within something that has none: their weight may act as an impact.
     std::vector<std::string> restless;
@@ -24,9 +24,9 @@ using SettleProgress = std::function<void(double)>;
 /// it, weight would be an impact: it would act at once on what bears nothing yet, and what an
 /// impact's stress loses to the limit of E is scaled back. What flies, falls or topples begins as
 /// described; so do objects that hang. The same bits for any number of threads; bounded work.
-Start settledStart(const World&, const SettleProgress& progress = {});
+Start settledStart(const core::World&, const SettleProgress& progress = {});
 
 /// What to tell a person of a start, as one sentence; empty where there is nothing.
 std::string restlessWarning(const Start&);
 
-}  // namespace sunder
+}  // namespace sunder::cpu

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <memory>
 
-namespace sunder {
+namespace sunder::files {
 
 /// Held by one program at a time, and let go when that ends, however it does: the system sees to it
 /// (folder_claim_posix.cpp, folder_claim_windows.cpp), and no file tells of it.
@@ -23,4 +23,4 @@ class FolderClaim {
     bool held_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::files

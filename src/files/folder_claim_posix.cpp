@@ -6,7 +6,7 @@
 
 #include "files/folder_claim.hpp"
 
-namespace sunder {
+namespace sunder::files {
 
 struct FolderClaim::Lock {
     int folder = -1;
@@ -22,4 +22,4 @@ FolderClaim::~FolderClaim() {
     if (lock_->folder >= 0) close(lock_->folder);
 }
 
-}  // namespace sunder
+}  // namespace sunder::files

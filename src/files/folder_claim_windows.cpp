@@ -5,7 +5,7 @@
 
 #include "files/folder_claim.hpp"
 
-namespace sunder {
+namespace sunder::files {
 
 struct FolderClaim::Lock {
     HANDLE mutex = nullptr;
@@ -23,4 +23,4 @@ FolderClaim::~FolderClaim() {
     if (lock_->mutex) CloseHandle(lock_->mutex);
 }
 
-}  // namespace sunder
+}  // namespace sunder::files

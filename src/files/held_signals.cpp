@@ -5,7 +5,7 @@
 #include <iterator>
 #include <mutex>
 
-namespace sunder {
+namespace sunder::files {
 namespace {
 
 constexpr int kSignals[] = {
@@ -78,4 +78,4 @@ bool signalledAgain() {
     return now > heeded;
 }
 
-}  // namespace sunder
+}  // namespace sunder::files

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace sunder {
+namespace sunder::files {
 
 /// While one lives, SIGINT, SIGTERM and, where there is one, SIGHUP do not end the program: they
 /// are noted, and loops look at that between two frames. Once none lives, the first one noted does
@@ -27,4 +27,4 @@ constexpr int exitCodeOf(int signal) {
     return 128 + signal;
 }
 
-}  // namespace sunder
+}  // namespace sunder::files

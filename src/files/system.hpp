@@ -4,7 +4,7 @@
 #include <system_error>
 #include <vector>
 
-namespace sunder {
+namespace sunder::files {
 
 // What systems do differently for a program that is started from a command line: system_posix.cpp
 // and system_windows.cpp.
@@ -44,4 +44,4 @@ enum class Terminal {
 /// What standard error is.
 Terminal standardError();
 
-}  // namespace sunder
+}  // namespace sunder::files

@@ -7,7 +7,7 @@
 #include "files/system.hpp"
 #include "files/utf8_path.hpp"
 
-namespace sunder {
+namespace sunder::files {
 
 namespace fs = std::filesystem;
 
@@ -55,4 +55,4 @@ Terminal standardError() {
     return isatty(STDERR_FILENO) ? Terminal::Escapes : Terminal::None;
 }
 
-}  // namespace sunder
+}  // namespace sunder::files

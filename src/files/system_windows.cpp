@@ -14,7 +14,7 @@
 #include "files/utf16_windows.hpp"
 #include "files/utf8_path.hpp"
 
-namespace sunder {
+namespace sunder::files {
 
 namespace fs = std::filesystem;
 
@@ -70,4 +70,4 @@ Terminal standardError() {
                                                                 : Terminal::Plain;
 }
 
-}  // namespace sunder
+}  // namespace sunder::files

@@ -10,7 +10,10 @@
 #include "files/system.hpp"
 #include "files/utf8_path.hpp"
 
-namespace sunder {
+namespace sunder::files {
+
+using namespace core;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -89,4 +92,4 @@ fs::path TemporaryFile::moveToNextNumber() {
     }
 }
 
-}  // namespace sunder
+}  // namespace sunder::files

@@ -3,7 +3,7 @@
 
 #include "files/held_signals.hpp"
 
-namespace sunder {
+namespace sunder::files {
 
 /// A file to be: a name beside `target` that nobody else has, with the target's ending. What was
 /// written there goes when this goes, unless it was moved. Beside it, so that moving stays within
@@ -35,4 +35,4 @@ class TemporaryFile {
     std::filesystem::path target_, path_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::files

@@ -2,7 +2,7 @@
 
 #include <windows.h>
 
-namespace sunder {
+namespace sunder::files {
 
 std::wstring utf16FromUtf8(std::string_view text) {
     const int length = static_cast<int>(text.size());
@@ -21,4 +21,4 @@ std::string utf8FromUtf16(std::wstring_view text) {
     return result;
 }
 
-}  // namespace sunder
+}  // namespace sunder::files

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace sunder {
+namespace sunder::files {
 
 namespace fs = std::filesystem;
 
@@ -18,4 +18,4 @@ std::string utf8FromPath(const fs::path& path) {
     return result;
 }
 
-}  // namespace sunder
+}  // namespace sunder::files

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunder {
+namespace sunder::files {
 
 /// All text in Sunder is UTF-8. On Windows std::filesystem takes text for that of an old code page,
 /// so every path comes from text and becomes text here.
@@ -13,4 +13,4 @@ std::filesystem::path pathFromUtf8(std::string_view text);
 /// may have both kinds.
 std::string utf8FromPath(const std::filesystem::path& path);
 
-}  // namespace sunder
+}  // namespace sunder::files

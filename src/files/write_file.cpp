@@ -9,7 +9,10 @@
 #include "files/temporary_file.hpp"
 #include "files/utf8_path.hpp"
 
-namespace sunder {
+namespace sunder::files {
+
+using namespace core;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -92,4 +95,4 @@ void checkWritable(const fs::path& path) {
     TemporaryFile(placeOf(path)).make();
 }
 
-}  // namespace sunder
+}  // namespace sunder::files

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace sunder {
+namespace sunder::files {
 
 /// Every file that is written whole is written by this: under a temporary name in the same folder,
 /// then renamed, so that nothing half-written ever stands under `path`. Follows a link; writes to a
@@ -23,4 +23,4 @@ std::filesystem::path writeNumberedFile(const std::filesystem::path& path, std::
 /// is none.
 void checkWritable(const std::filesystem::path& path);
 
-}  // namespace sunder
+}  // namespace sunder::files

@@ -11,6 +11,9 @@
 #include "gl/objects.hpp"
 
 namespace sunder::gl {
+
+using namespace core;
+
 namespace {
 
 // A broken draw reports the same error every frame.

@@ -17,6 +17,9 @@
 #endif
 
 namespace sunder::gl {
+
+using namespace core;
+
 namespace {
 
 std::string errorText() {

@@ -4,6 +4,9 @@
 #include "gl/headless_context.hpp"
 
 namespace sunder::gl {
+
+using namespace core;
+
 namespace {
 
 GLFWwindow* makeWindow(int major, int minor, bool debug, bool told) {

@@ -6,6 +6,9 @@
 #include <utility>
 
 namespace sunder::gl {
+
+using namespace core;
+
 namespace {
 
 using Candidates = std::vector<HeadlessCandidate>;

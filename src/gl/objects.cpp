@@ -14,6 +14,9 @@
 #include "gl/pixel_format.hpp"
 
 namespace sunder::gl {
+
+using namespace core;
+
 namespace {
 
 /// While it lives, the debug callback stays silent: the errors of one allocation become an

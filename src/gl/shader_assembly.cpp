@@ -9,6 +9,9 @@
 #include "embedded_shaders.hpp"
 
 namespace sunder::gl {
+
+using namespace core;
+
 namespace {
 
 constexpr std::size_t kLinesPerFile = 10000;

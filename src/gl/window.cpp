@@ -10,6 +10,9 @@
 #include "gl/glfw_library.hpp"
 
 namespace sunder::gl {
+
+using namespace core;
+
 namespace {
 
 const std::string kAdvice = "; without a screen, `sunder run SCENE` makes pictures and videos";

@@ -6,6 +6,8 @@
 
 namespace sunder::gpu {
 
+using namespace core;
+
 BondPass::BondPass(const World& world, int textureColumns)
     : cellCount_(world.cellCount()),
       fractureProgram_({.vertex = "scatter/fracture.vert",

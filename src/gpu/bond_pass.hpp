@@ -10,7 +10,7 @@ namespace sunder::gpu {
 class BondPass {
   public:
     /// `textureColumns`: of the texture with stresses.
-    BondPass(const World&, int textureColumns);
+    BondPass(const core::World&, int textureColumns);
 
     const BondBuffer& bonds() const { return bonds_[current_].bonds; }
     /// Texture buffer, RGBA32F, SUNDER_LINK_TEXELS per cell (LinkRecord).
@@ -21,7 +21,7 @@ class BondPass {
     /// the links. Needs bindWorld().
     void update(const Feedback&);
     /// Sets the damage and recomputes the links. Needs bindWorld().
-    void write(const State&, const Feedback&);
+    void write(const core::State&, const Feedback&);
 
   private:
     struct Side {

@@ -8,6 +8,9 @@
 #include "gpu/feedback.hpp"
 
 namespace sunder::gpu {
+
+using namespace core;
+
 namespace {
 
 /// Numbers of spheres are floats in textures; those of objects come after

@@ -31,7 +31,7 @@ class ContactPass {
     enum class Storage { Textures, Buffers };
     /// columns: of the solver's textures, where it keeps its nodes in any. Throws InputError where
     /// there are too many spheres.
-    ContactPass(const World& world, int columns, Storage storage);
+    ContactPass(const core::World& world, int columns, Storage storage);
 
     /// awake: cells whose partners are looked for; held: those that can be touched. As
     /// forget().
@@ -77,7 +77,7 @@ class ContactPass {
     void fillGrid();
     void drawHeld(const gl::Program& program) const;
 
-    const World& world_;
+    const core::World& world_;
     int columns_;     ///< of what has a texel per cell
     int sphereBits_;  ///< as many spheres to a cell as any has, rounded up to a power of two
     gl::Defines defines_;

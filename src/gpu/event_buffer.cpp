@@ -6,6 +6,8 @@
 
 namespace sunder::gpu {
 
+using namespace core;
+
 EventBuffer::EventBuffer(const World& world)
     : world_(world),
       buffer_(sizeof(EventRecord) * std::max<std::size_t>(1, world.events().size()), nullptr,

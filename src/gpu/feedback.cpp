@@ -5,6 +5,9 @@
 #include "gpu/layout.hpp"
 
 namespace sunder::gpu {
+
+using namespace core;
+
 namespace {
 
 constexpr const char* kSamplers[kUnitCount] = {

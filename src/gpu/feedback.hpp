@@ -47,7 +47,7 @@ enum Unit {
 /// Points every sampler and uniform block the program has to its place, and sets what stays the
 /// same for a whole run: step, fracture interval, ground, room, how things part, columns of the
 /// solver's textures (a power of two).
-void setConstants(const gl::Program& program, const World& world, int textureColumns);
+void setConstants(const gl::Program& program, const core::World& world, int textureColumns);
 
 /// Binds what does not change while a solver advances: another user of the context may have used
 /// these units since.

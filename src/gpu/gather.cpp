@@ -8,6 +8,9 @@
 #include "gpu/observed_pass.hpp"
 
 namespace sunder::gpu {
+
+using namespace core;
+
 namespace {
 
 gl::Defines breakDefines(const World& world) {

@@ -25,31 +25,31 @@ namespace sunder::gpu {
 /// four thousand million floats a second and no more, which is what a step then takes.
 ///
 /// Needs a current GL context for as long as it lives.
-class GatherSolver : public GpuSolver, public BodyHost {
+class GatherSolver : public GpuSolver, public core::BodyHost {
   public:
     /// Throws InputError when the world is too large for the device. `world` and `buffers` must
     /// outlive it.
-    GatherSolver(const World& world, const WorldBuffers& buffers);
+    GatherSolver(const core::World& world, const WorldBuffers& buffers);
 
     std::string_view name() const override { return "gather"; }
     void advance(int steps) override;
     void finish() override;
-    State state() const override;
-    void setState(const State& state) override;
+    core::State state() const override;
+    void setState(const core::State& state) override;
     bool asleep(int body) const override { return bodies_[body] == BodyState::Asleep; }
     bool objectAsleep(int object) const override { return objects_ && objects_->asleep(object); }
     StateView view() override;
-    void setIncidents(IncidentRing* ring) override;
+    void setIncidents(core::IncidentRing* ring) override;
 
     std::int64_t droppedContacts() const override { return droppedContacts_; }
     std::vector<double> contactHaste() const override { return contactHaste_; }
 
-    void adopt(const std::vector<int>& bodies, const State& state) override;
-    void release(const std::vector<int>& bodies, State& state) override;
+    void adopt(const std::vector<int>& bodies, const core::State& state) override;
+    void release(const std::vector<int>& bodies, core::State& state) override;
     bool holds(int body) const override { return bodies_[body] != BodyState::Elsewhere; }
     /// Where a body that another solver holds is to be drawn.
-    void show(int body, const State& state);
-    void showObjects(const State& state);
+    void show(int body, const core::State& state);
+    void showObjects(const core::State& state);
 
   private:
     enum class BodyState { Awake, Asleep, Elsewhere };
@@ -69,8 +69,8 @@ class GatherSolver : public GpuSolver, public BodyHost {
 
     NodePass nodePass(const char* events) const;
     void bindInputs() const;
-    void write(TexelRange cells, const State& state);
-    void read(TexelRange cells, State& state) const;
+    void write(TexelRange cells, const core::State& state);
+    void read(TexelRange cells, core::State& state) const;
     void watch();
     /// Lets islands fall asleep all of which have been calm for long enough.
     void rest();
@@ -94,7 +94,7 @@ class GatherSolver : public GpuSolver, public BodyHost {
     void updateLinks();
     void updateNodes(bool events, int stepInFrame);
 
-    const World& world_;
+    const core::World& world_;
     const WorldBuffers& buffers_;
     std::int64_t step_ = 0;
     bool breakable_;
@@ -123,7 +123,7 @@ class GatherSolver : public GpuSolver, public BodyHost {
     std::optional<IncidentPass> incidents_;
     bool stirred_ = false;  ///< something has moved since the last look for incidents
     RestMonitor monitor_;
-    RestIslands islands_;
+    core::RestIslands islands_;
     bool newNodeWatch_ = true, newBondWatch_ = true;  ///< no step, no update since the last look
     std::int64_t nextWake_ = 0;  ///< no event acts on a sleeping body before this step
 };

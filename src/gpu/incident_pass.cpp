@@ -5,6 +5,9 @@
 #include "gpu/layout.hpp"
 
 namespace sunder::gpu {
+
+using namespace core;
+
 namespace {
 
 /// A look finds at most so many incidents, or the ring's capacity, whichever is more.

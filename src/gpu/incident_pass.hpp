@@ -21,8 +21,8 @@ class IncidentPass {
   public:
     /// storage, columns: where and how the solver keeps its nodes. contact, objects: null where the
     /// world has none. All must outlive it.
-    IncidentPass(const World& world, ContactPass::Storage storage, int columns,
-                 const ContactPass* contact, const ObjectPass* objects, IncidentRing& ring);
+    IncidentPass(const core::World& world, ContactPass::Storage storage, int columns,
+                 const ContactPass* contact, const ObjectPass* objects, core::IncidentRing& ring);
 
     /// After the forces of a step are known: adds them up.
     void addPushes();
@@ -54,12 +54,12 @@ class IncidentPass {
 
     void clear(const TexelTarget& pushes) const;
     void take(Answer& answer);
-    Incident incidentOf(const Record& record, std::int64_t step) const;
+    core::Incident incidentOf(const Record& record, std::int64_t step) const;
 
-    const World& world_;
+    const core::World& world_;
     const ContactPass* contact_;
     const ObjectPass* objects_;
-    IncidentRing& ring_;
+    core::IncidentRing& ring_;
     int interval_;
     std::size_t room_;  ///< records
     Feedback feedback_;

@@ -9,6 +9,9 @@
 #include "gpu/layout.hpp"
 
 namespace sunder::gpu {
+
+using namespace core;
+
 namespace {
 
 /// Room in the list, for every cell: more objects than that are seldom near one.

@@ -26,17 +26,17 @@ class ObjectPass {
     /// Where the solver keeps its nodes: glsl/contact/storage.glsl. Forces are drawn into a texel
     /// per cell and a layer per corner (Textures) or a texel per node (Buffers); columns, rows: of
     /// those texels. `world` and `buffers` must outlive it.
-    ObjectPass(const World& world, const WorldBuffers& buffers, ContactPass::Storage storage,
+    ObjectPass(const core::World& world, const WorldBuffers& buffers, ContactPass::Storage storage,
                int columns, int rows);
 
-    void set(const State& state);
+    void set(const core::State& state);
     /// Waits for the GPU.
-    void read(State& state) const;
+    void read(core::State& state) const;
     /// For drawing, as they are now: StateView::objects.
     const gl::Texture& places();
 
     /// Puts an object somewhere as step number `step` begins; it is awake.
-    void put(int object, const ObjectState& state, std::int64_t step);
+    void put(int object, const core::ObjectState& state, std::int64_t step);
     /// cells: those that can be touched, from the next search on.
     void setCells(std::span<const TexelRange> cells);
     /// Finds what may touch, where that is due, and works out the impulses on objects. Nodes, links
@@ -55,8 +55,8 @@ class ObjectPass {
     /// the answer of the look before last.
     void look(std::int64_t step, int steps);
     /// As far as is known.
-    const std::vector<ObjectState>& known() const { return known_; }
-    RestIslands::Status restStatus(int object) const;
+    const std::vector<core::ObjectState>& known() const { return known_; }
+    core::RestIslands::Status restStatus(int object) const;
     bool asleep(int object) const { return asleep_[object]; }
     void setAsleep(const std::vector<int>& objects, bool asleep, std::int64_t step);
     /// Whether any object moves, or may begin to.
@@ -66,7 +66,7 @@ class ObjectPass {
     bool threatens(int body) const;
     bool threatensObject(int object) const;
     /// Whether cells in the box, none faster than `speed` m/s, may.
-    bool threatenedBy(int object, const RestBox& box, double speed) const;
+    bool threatenedBy(int object, const core::RestBox& box, double speed) const;
 
   private:
     struct Answer {
@@ -94,7 +94,7 @@ class ObjectPass {
     double reachOf(int object) const;
     void writeSleepers();
 
-    const World& world_;
+    const core::World& world_;
     const WorldBuffers& buffers_;
     ContactPass::Storage storage_;
     int columns_, count_;
@@ -112,8 +112,8 @@ class ObjectPass {
     bool searchDue_ = true;
     std::array<Answer, kLag> answers_;
     int next_ = 0;
-    std::vector<ObjectState> known_;  ///< what the CPU knows of them
-    std::int64_t changed_ = 0;        ///< step at which one was put somewhere
+    std::vector<core::ObjectState> known_;  ///< what the CPU knows of them
+    std::int64_t changed_ = 0;              ///< step at which one was put somewhere
     std::vector<Rest> rests_;
     std::vector<bool> asleep_;
     gl::Buffer sleepers_;  ///< a float per object

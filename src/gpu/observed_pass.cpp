@@ -2,6 +2,8 @@
 
 namespace sunder::gpu {
 
+using namespace core;
+
 void observe(PassObserver* observer, const char* pass, const TexelTarget& wrote, int count,
              int layers) {
     if (!observer) return;

@@ -6,12 +6,12 @@ namespace sunder::gpu {
 
 /// Tells the observer, if there is one, what a pass wrote. Waits for the GPU.
 /// The first `count` texels of the first `layers`.
-void observe(PassObserver* observer, const char* pass, const TexelTarget& wrote, int count,
+void observe(core::PassObserver* observer, const char* pass, const TexelTarget& wrote, int count,
              int layers);
 /// The first `count` RGBA32F texels of a colour attachment, which is `width` wide.
-void observe(PassObserver* observer, const char* pass, const gl::Framebuffer& wrote, int attachment,
-             int width, int count);
+void observe(core::PassObserver* observer, const char* pass, const gl::Framebuffer& wrote,
+             int attachment, int width, int count);
 /// A buffer of floats.
-void observe(PassObserver* observer, const char* pass, const gl::Buffer& wrote);
+void observe(core::PassObserver* observer, const char* pass, const gl::Buffer& wrote);
 
 }  // namespace sunder::gpu

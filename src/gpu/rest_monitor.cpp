@@ -9,6 +9,9 @@
 #include "gpu/feedback.hpp"
 
 namespace sunder::gpu {
+
+using namespace core;
+
 namespace {
 
 constexpr int kCellsPerChunk = kCellsPerRestBox;
@@ -50,7 +53,7 @@ RestMonitor::RestMonitor(const World& world, int columns)
       program_(unrest_.program(world, "gather/rest.frag",
                                {{"CONTACT", world.description().contact ? "1" : "0"}})) {
     int chunk = 0;
-    for (const sunder::Body& body : world.bodies()) {
+    for (const sunder::core::Body& body : world.bodies()) {
         const auto calm = static_cast<float>(calmSpeed(world, body)),
                    creep = static_cast<float>(creepSpeed(world, body));
         bodies_.push_back({{chunk, chunk + countChunks(body)}, calm * calm, creep * creep});

@@ -16,7 +16,7 @@ namespace sunder::gpu {
 class RestMonitor {
   public:
     /// columns: of the textures that nodes and bonds lie in.
-    RestMonitor(const World& world, int columns);
+    RestMonitor(const core::World& world, int columns);
 
     /// Steps from one look to the next, about 1/60 s.
     int interval() const { return interval_; }
@@ -29,7 +29,7 @@ class RestMonitor {
     /// A few cells of a body: where they were at the look before last, and the speed that none of
     /// their nodes was above since the one before that, m/s.
     struct Chunk {
-        RestBox box;
+        core::RestBox box;
         double fastest;
     };
     /// Takes the answer of the look before last and asks the GPU about the `interval()` steps
@@ -62,7 +62,7 @@ class RestMonitor {
     void takeChunks(const std::vector<vec4>& unrest);
     News take(const Answer& answer, std::int64_t now);
 
-    const World& world_;
+    const core::World& world_;
     int interval_, sleepSteps_;
     int layers_;  ///< of what a chunk says
     std::vector<Body> bodies_;

@@ -11,6 +11,9 @@
 #include "gpu/texel_target.hpp"
 
 namespace sunder::gpu {
+
+using namespace core;
+
 namespace {
 
 /// The finite element structure of the thesis, chapter 6.

@@ -22,15 +22,15 @@ class ScatterSolver : public GpuSolver {
   public:
     /// Throws InputError when the world is too large for the device. `world` and `buffers` must
     /// outlive it.
-    ScatterSolver(const World& world, const WorldBuffers& buffers);
+    ScatterSolver(const core::World& world, const WorldBuffers& buffers);
 
     std::string_view name() const override { return "scatter"; }
     void advance(int steps) override;
     void finish() override;
-    State state() const override;
-    void setState(const State& state) override;
+    core::State state() const override;
+    void setState(const core::State& state) override;
     StateView view() override;
-    void setIncidents(IncidentRing* ring) override;
+    void setIncidents(core::IncidentRing* ring) override;
     /// In the searches that finish() came upon.
     std::int64_t droppedContacts() const override { return droppedContacts_; }
     std::vector<double> contactHaste() const override { return contactHaste_; }
@@ -53,7 +53,7 @@ class ScatterSolver : public GpuSolver {
     void updateConnectivity();
     void updateNodes(int stepInFrame);
 
-    const World& world_;
+    const core::World& world_;
     const WorldBuffers& buffers_;
     std::int64_t step_ = 0;
     int width_, height_;  ///< columns and rows of the float textures

@@ -6,6 +6,9 @@
 #include "gpu/feedback.hpp"
 
 namespace sunder::gpu {
+
+using namespace core;
+
 namespace {
 
 /// Outputs of one fragment that every driver has.

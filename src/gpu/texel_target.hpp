@@ -27,7 +27,8 @@ class TexelTarget {
     const gl::Texture& texture() const { return texture_; }
     /// A program that fill() can run on this target or one of its size, every texel a cell of the
     /// world or whatever the fragment shader takes it for; its constants are set (feedback.hpp).
-    gl::Program program(const World& world, const char* fragment, gl::Defines defines = {}) const;
+    gl::Program program(const core::World& world, const char* fragment,
+                        gl::Defines defines = {}) const;
     /// Runs a program made by program(): a fragment for every texel in
     /// `ranges`. Its outputs are layers 8·part, 8·part + 1, … .
     void fill(const gl::Program& program, const TexelRanges& ranges, int part = 0) const;

@@ -9,6 +9,9 @@
 #include "gpu/layout.hpp"
 
 namespace sunder::gpu {
+
+using namespace core;
+
 namespace {
 
 gl::Buffer makeRest(const World& world) {
@@ -104,7 +107,7 @@ gl::Buffer makePartings(const World& world) {
 gl::Buffer makeLaws(const World& world) {
     std::vector<ElementLaw> laws(SUNDER_MAX_ELEMENT_LAWS);
     for (std::size_t i = 0; i < world.laws().size(); ++i) {
-        const sunder::ElementLaw& law = world.laws()[i];
+        const sunder::core::ElementLaw& law = world.laws()[i];
         const Material& material = world.description().materials[law.material];
         laws[i].cellSize = toVec4(law.cellSize, law.cellSize.prod());
         laws[i].elasticity = toVec4(

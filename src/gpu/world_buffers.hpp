@@ -8,10 +8,10 @@ namespace sunder::gpu {
 /// The part of a world that does not change, on the GPU: every GPU solver and the renderer read it.
 class WorldBuffers {
   public:
-    explicit WorldBuffers(const World&);
+    explicit WorldBuffers(const core::World&);
 
     int cellCount() const { return cellCount_; }
-    int nodeCount() const { return kCorners * cellCount_; }
+    int nodeCount() const { return core::kCorners * cellCount_; }
 
     /// Texture buffer, RGBA32F, one texel per node: rest position (m); mass of this copy (kg),
     /// negative where the node is anchored, 0 in absent cells.
@@ -43,12 +43,12 @@ class WorldBuffers {
 /// everything else reads.
 class NodeBuffer {
   public:
-    explicit NodeBuffer(const World&);  ///< contents undefined
+    explicit NodeBuffer(const core::World&);  ///< contents undefined
     const gl::Buffer& buffer() const { return buffer_; }
     /// RGBA32F, 2 texels per node.
     const gl::Texture& texture() const { return texture_; }
-    void write(const State&);
-    void read(State&) const;  ///< waits for the GPU
+    void write(const core::State&);
+    void read(core::State&) const;  ///< waits for the GPU
 
   private:
     std::vector<float> restHeights_;  ///< m, per node; they travel with every record
@@ -59,12 +59,12 @@ class NodeBuffer {
 /// Damage and slow traction of the bonds that each cell owns (BondRecord).
 class BondBuffer {
   public:
-    explicit BondBuffer(const World&);  ///< contents undefined
+    explicit BondBuffer(const core::World&);  ///< contents undefined
     const gl::Buffer& buffer() const { return buffer_; }
     /// RGBA32F, 2 texels per cell.
     const gl::Texture& texture() const { return texture_; }
-    void write(const State&);
-    void read(State&) const;  ///< waits for the GPU
+    void write(const core::State&);
+    void read(core::State&) const;  ///< waits for the GPU
 
   private:
     gl::Buffer buffer_;
@@ -85,11 +85,11 @@ struct StateView {
 /// Where objects are, for drawing: StateView::objects.
 class ObjectPlaces {
   public:
-    explicit ObjectPlaces(const World&);  ///< contents undefined
+    explicit ObjectPlaces(const core::World&);  ///< contents undefined
     /// Null where the world has no objects.
     const gl::Texture* texture() const { return buffer_.size() > 0 ? &texture_ : nullptr; }
     const gl::Buffer& buffer() const { return buffer_; }
-    void write(const State&);
+    void write(const core::State&);
 
   private:
     gl::Buffer buffer_;
@@ -97,27 +97,27 @@ class ObjectPlaces {
 };
 
 /// A solver whose state lives on the GPU.
-class GpuSolver : public Solver {
+class GpuSolver : public core::Solver {
   public:
     /// Valid until the solver advances.
     virtual StateView view() = 0;
     /// Null: none (the default). The timer must outlive its use here.
     virtual void setPassTimer(PassTimer* timer) { passTimer_ = timer; }
-    bool setPassObserver(PassObserver* observer) override {
+    bool setPassObserver(core::PassObserver* observer) override {
         passObserver_ = observer;
         return true;
     }
 
   protected:
     PassTimer* passTimer_ = nullptr;
-    PassObserver* passObserver_ = nullptr;
+    core::PassObserver* passObserver_ = nullptr;
 };
 
 /// Brings a CPU solver's state to the GPU for drawing.
 class StateUpload {
   public:
-    explicit StateUpload(const World&);
-    StateView upload(const State&);
+    explicit StateUpload(const core::World&);
+    StateView upload(const core::State&);
 
   private:
     NodeBuffer nodes_;

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cstdlib>
 
-namespace sunder {
+namespace sunder::image {
 namespace {
 
 constexpr int kAmplification = 16;
@@ -98,4 +98,4 @@ Image differencePicture(const Image& a, const Image& b, const Comparison& compar
     return result;
 }
 
-}  // namespace sunder
+}  // namespace sunder::image

@@ -1,7 +1,7 @@
 #pragma once
 #include "image/image.hpp"
 
-namespace sunder {
+namespace sunder::image {
 
 /// How far two pictures may differ and still be alike. Drivers round differently, here and there by
 /// a level or two; a change of what is drawn changes many pixels close together. So scattered noise
@@ -40,4 +40,4 @@ Comparison compare(const Image& a, const Image& b, int threshold);
 /// The differences times 16, on black, with the worst window framed where it differs.
 Image differencePicture(const Image& a, const Image& b, const Comparison&);
 
-}  // namespace sunder
+}  // namespace sunder::image

@@ -5,7 +5,7 @@
 
 #include "image/text.hpp"
 
-namespace sunder {
+namespace sunder::image {
 
 SheetLayout::SheetLayout(int count, int pictureWidth, int pictureHeight) {
     rows = (count + kMostColumns - 1) / kMostColumns;
@@ -31,4 +31,4 @@ void ContactSheet::add(const Image& tile, std::string_view caption) {
     ++tiles_;
 }
 
-}  // namespace sunder
+}  // namespace sunder::image

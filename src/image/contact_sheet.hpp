@@ -3,7 +3,7 @@
 
 #include "image/image.hpp"
 
-namespace sunder {
+namespace sunder::image {
 
 /// Pictures of one size in rows, with a thin white line between them.
 struct SheetLayout {
@@ -36,4 +36,4 @@ class ContactSheet {
     Image image_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::image

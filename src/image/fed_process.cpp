@@ -1,6 +1,6 @@
 #include "image/fed_process.hpp"
 
-namespace sunder {
+namespace sunder::image {
 
 std::string FedProcess::complaints() const {
     std::string text;
@@ -11,4 +11,4 @@ std::string FedProcess::complaints() const {
     return text;
 }
 
-}  // namespace sunder
+}  // namespace sunder::image

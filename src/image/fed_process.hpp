@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunder {
+namespace sunder::image {
 
 /// Another program that reads what it is fed on its standard input. Everything about processes that
 /// differs from system to system is in fed_process_posix.cpp and fed_process_windows.cpp.
@@ -40,4 +40,4 @@ class FedProcess {
     std::unique_ptr<System> system_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::image

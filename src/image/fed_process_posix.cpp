@@ -17,7 +17,9 @@
 
 extern char** environ;
 
-namespace sunder {
+namespace sunder::image {
+
+using namespace core;
 
 struct FedProcess::System {
     // A program that ends early is no reason for this one to die without a word.
@@ -123,9 +125,9 @@ bool FedProcess::close() {
 }
 
 void FedProcess::giveUp() {
-    if (givenUp_ || !signalledAgain()) return;
+    if (givenUp_ || !files::signalledAgain()) return;
     givenUp_ = true;
     kill(-system_->process, SIGKILL);
 }
 
-}  // namespace sunder
+}  // namespace sunder::image

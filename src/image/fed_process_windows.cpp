@@ -6,7 +6,9 @@
 #include "files/utf16_windows.hpp"
 #include "image/fed_process.hpp"
 
-namespace sunder {
+namespace sunder::image {
+
+using namespace core;
 
 struct FedProcess::System {
     std::FILE* input = nullptr;
@@ -24,7 +26,8 @@ std::string quoted(const std::string& word) {
 }
 
 bool isThere(const std::string& program) {
-    return SearchPathW(nullptr, utf16FromUtf8(program).c_str(), L".exe", 0, nullptr, nullptr) > 0;
+    return SearchPathW(nullptr, files::utf16FromUtf8(program).c_str(), L".exe", 0, nullptr,
+                       nullptr) > 0;
 }
 
 std::wstring newTemporaryFile() {
@@ -43,8 +46,8 @@ FedProcess::FedProcess(const std::vector<std::string>& command)
     for (const std::string& word : command) line += quoted(word) + ' ';
     system_->errorName = newTemporaryFile();
     // cmd removes the first and the last quote of a line.
-    line = '"' + line + ">nul 2>" + quoted(utf8FromUtf16(system_->errorName)) + '"';
-    system_->input = _wpopen(utf16FromUtf8(line).c_str(), L"wb");
+    line = '"' + line + ">nul 2>" + quoted(files::utf8FromUtf16(system_->errorName)) + '"';
+    system_->input = _wpopen(files::utf16FromUtf8(line).c_str(), L"wb");
     started_ = system_->input != nullptr;
 }
 
@@ -65,4 +68,4 @@ bool FedProcess::close() {
     return status == 0;
 }
 
-}  // namespace sunder
+}  // namespace sunder::image

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunder {
+namespace sunder::image {
 
 /// 8-bit sRGB picture, RGB interleaved, rows from top to bottom.
 struct Image {
@@ -27,4 +27,4 @@ Image readPng(const std::filesystem::path& path);
 /// The same from a file's bytes, less than 2 GiB; `name` is the file's in messages.
 Image decodePng(std::string_view bytes, const std::string& name);
 
-}  // namespace sunder
+}  // namespace sunder::image

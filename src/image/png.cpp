@@ -14,7 +14,10 @@
 #include "image/image.hpp"
 #include "image/stb_memory.hpp"
 
-namespace sunder {
+namespace sunder::image {
+
+using namespace core;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,11 +70,11 @@ std::string encodePng(const Image& image) {
 }
 
 void writePng(const fs::path& path, const Image& image) {
-    writeFile(path, encodePng(image));
+    files::writeFile(path, encodePng(image));
 }
 
 Image readPng(const fs::path& path) {
-    const std::string name = utf8FromPath(path);
+    const std::string name = files::utf8FromPath(path);
     return decodePng(readFile(path, name), name);
 }
 
@@ -100,4 +103,4 @@ Image decodePng(std::string_view bytes, const std::string& name) {
     return image;
 }
 
-}  // namespace sunder
+}  // namespace sunder::image

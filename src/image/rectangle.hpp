@@ -4,7 +4,7 @@
 
 #include "image/image.hpp"
 
-namespace sunder {
+namespace sunder::image {
 
 /// 8-bit sRGB.
 using Colour = std::array<std::uint8_t, 3>;
@@ -20,4 +20,4 @@ inline void fillRectangle(Image& image, int left, int top, int right, int bottom
                       image.pixels.begin() + 3 * (std::ptrdiff_t{image.width} * y + x));
 }
 
-}  // namespace sunder
+}  // namespace sunder::image

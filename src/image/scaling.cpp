@@ -5,7 +5,7 @@
 
 #include "image/srgb.hpp"
 
-namespace sunder {
+namespace sunder::image {
 namespace {
 
 /// The part of one source pixel in one pixel of the result.
@@ -57,4 +57,4 @@ Image scaledDown(const Image& image, int width, int height) {
     return result;
 }
 
-}  // namespace sunder
+}  // namespace sunder::image

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace sunder {
+namespace sunder::image {
 
 /// sRGB to linear light, both 0 to 1 (IEC 61966-2-1).
 inline float linearFromSrgb(float value) {
@@ -17,4 +17,4 @@ inline std::uint8_t srgbByte(float light) {
     return static_cast<std::uint8_t>(255 * value + 0.5f);
 }
 
-}  // namespace sunder
+}  // namespace sunder::image

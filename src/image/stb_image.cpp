@@ -4,7 +4,7 @@
 
 #include "image/stb_memory.hpp"
 
-namespace sunder {
+namespace sunder::image {
 namespace {
 
 thread_local std::size_t mostBytes = std::numeric_limits<std::size_t>::max();
@@ -25,12 +25,12 @@ StbMemoryLimit::~StbMemoryLimit() {
     mostBytes = std::numeric_limits<std::size_t>::max();
 }
 
-}  // namespace sunder
+}  // namespace sunder::image
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
 #define STBI_NO_STDIO
-#define STBI_MALLOC(size) sunder::allocate(size)
-#define STBI_REALLOC(memory, size) sunder::reallocate(memory, size)
+#define STBI_MALLOC(size) sunder::image::allocate(size)
+#define STBI_REALLOC(memory, size) sunder::image::reallocate(memory, size)
 #define STBI_FREE(memory) std::free(memory)
 #include <stb_image.h>

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstddef>
 
-namespace sunder {
+namespace sunder::image {
 
 /// The most that stb may ask for at once while this lives, bytes, in this thread. A few kilobytes
 /// of a PNG can be made to unpack into gigabytes, whatever size it says the picture has.
@@ -13,4 +13,4 @@ class StbMemoryLimit {
     StbMemoryLimit& operator=(const StbMemoryLimit&) = delete;
 };
 
-}  // namespace sunder
+}  // namespace sunder::image

@@ -8,7 +8,7 @@
 
 #include "image/rectangle.hpp"
 
-namespace sunder {
+namespace sunder::image {
 namespace {
 
 /// What the font has; it reads past its tables otherwise.
@@ -57,4 +57,4 @@ void drawText(Image& image, int x, int y, std::string_view text, int scale) {
     draw(0, {255, 255, 255});
 }
 
-}  // namespace sunder
+}  // namespace sunder::image

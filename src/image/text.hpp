@@ -3,7 +3,7 @@
 
 #include "image/image.hpp"
 
-namespace sunder {
+namespace sunder::image {
 
 /// Rows from the top of a capital to the bottom of a 'g', in units of a text's scale.
 inline constexpr int kTextRows = 9;
@@ -19,4 +19,4 @@ int textWidth(std::string_view, int scale);
 /// printable ASCII shows as '?'.
 void drawText(Image&, int x, int y, std::string_view, int scale);
 
-}  // namespace sunder
+}  // namespace sunder::image

@@ -9,7 +9,10 @@
 #include "files/system.hpp"
 #include "files/utf8_path.hpp"
 
-namespace sunder {
+namespace sunder::image {
+
+using namespace core;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,7 +24,7 @@ std::string decimal(double value) {
 
 /// Containers that take H.264, which every player knows.
 bool takesH264(const fs::path& path) {
-    std::string ending = utf8FromPath(path.extension());
+    std::string ending = files::utf8FromPath(path.extension());
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
     return ending == ".mp4" || ending == ".m4v" || ending == ".mov" || ending == ".mkv";
@@ -47,7 +50,7 @@ std::vector<std::string> command(const fs::path& path, int width, int height, do
              "-color_trc", "bt709", "-color_range", "tv"});
     }
     // Neither an option nor a protocol, whatever the name begins with.
-    add({"file:" + utf8FromPath(path)});
+    add({"file:" + files::utf8FromPath(path)});
     return words;
 }
 
@@ -92,7 +95,7 @@ VideoFile::VideoFile(const fs::path& target, const fs::path& named, int width, i
     : named_(named), temporary_(target), ffmpeg_(command(temporary_.path(), width, height, fps)) {
     if (!ffmpeg_.started())
         throw InputError("a video needs ffmpeg, which is not installed; install it (" +
-                         installCommand("ffmpeg") +
+                         files::installCommand("ffmpeg") +
                          "), or make pictures instead (`sunder run SCENE --frames-png 1`)");
 }
 
@@ -122,9 +125,10 @@ bool VideoFile::close() {
 
 void VideoFile::fail() {
     ffmpeg_.close();
-    throw InputError("ffmpeg cannot write '" + utf8FromPath(named_) + "': " +
+    throw InputError("ffmpeg cannot write '" + files::utf8FromPath(named_) + "': " +
                      replaced(reason(ffmpeg_.complaints()),
-                              "file:" + utf8FromPath(temporary_.path()), utf8FromPath(named_)));
+                              "file:" + files::utf8FromPath(temporary_.path()),
+                              files::utf8FromPath(named_)));
 }
 
-}  // namespace sunder
+}  // namespace sunder::image

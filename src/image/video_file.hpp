@@ -5,7 +5,7 @@
 #include "image/fed_process.hpp"
 #include "image/image.hpp"
 
-namespace sunder {
+namespace sunder::image {
 
 /// A video that ffmpeg makes of frames as they come; its ending says which kind. All that goes
 /// wrong, now or later, is an InputError, and then no file is left.
@@ -32,9 +32,9 @@ class VideoFile {
     bool close();
     [[noreturn]] void fail();
 
-    std::filesystem::path named_;  ///< in messages
-    TemporaryFile temporary_;      ///< outlives the process that writes it
+    std::filesystem::path named_;     ///< in messages
+    files::TemporaryFile temporary_;  ///< outlives the process that writes it
     FedProcess ffmpeg_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::image

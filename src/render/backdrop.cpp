@@ -5,7 +5,7 @@
 
 #include "render/uniforms.hpp"
 
-namespace sunder {
+namespace sunder::render {
 namespace {
 
 /// Half a metre for a wall; doubled for wider scenes, so that a picture never holds thousands of
@@ -50,4 +50,4 @@ void Backdrop::drawGround(const Camera& camera, const Shading& shading, bool sha
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

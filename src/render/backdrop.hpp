@@ -4,7 +4,7 @@
 #include "render/scene_bounds.hpp"
 #include "render/shading.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 /// Sky, and the ground where the world has one.
 class Backdrop {
@@ -22,4 +22,4 @@ class Backdrop {
     gl::Program sky_, ground_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::render

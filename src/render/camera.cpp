@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace sunder {
+namespace sunder::render {
 namespace {
 
 float distanceToBox(const glm::vec3& p, const glm::vec3& low, const glm::vec3& high) {
@@ -22,7 +22,8 @@ float nearestPlane(const SceneBounds& bounds) {
     return 1e-3f * std::max(bounds.radius(), 1.f);
 }
 
-Camera makeCamera(const CameraDescription& description, float aspect, const SceneBounds& bounds) {
+Camera makeCamera(const scene::CameraDescription& description, float aspect,
+                  const SceneBounds& bounds) {
     Camera camera;
     camera.eye =
         glm::vec3(description.position[0], description.position[1], description.position[2]);
@@ -50,4 +51,4 @@ Camera makeCamera(const CameraDescription& description, float aspect, const Scen
     return camera;
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

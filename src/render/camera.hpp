@@ -4,7 +4,7 @@
 #include "render/scene_bounds.hpp"
 #include "scene/scene.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 /// A camera's matrices, with the near and far planes that suit a scene.
 struct Camera {
@@ -20,6 +20,6 @@ float groundExtent(const SceneBounds&, const glm::vec3& eye);
 float nearestPlane(const SceneBounds&);
 
 /// `aspect` is width / height.
-Camera makeCamera(const CameraDescription&, float aspect, const SceneBounds&);
+Camera makeCamera(const scene::CameraDescription&, float aspect, const SceneBounds&);
 
-}  // namespace sunder
+}  // namespace sunder::render

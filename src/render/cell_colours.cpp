@@ -7,7 +7,10 @@
 #include "core/pieces.hpp"
 #include "render/colour_map.hpp"
 
-namespace sunder {
+namespace sunder::render {
+
+using namespace core;
+
 namespace {
 
 // Where the scales begin: a wall at rest, or falling asleep, is dark and not noise in full colour.
@@ -153,4 +156,4 @@ void CellColours::colourByPiece(const State& state) {
     key_.pieces = pieces.count;
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

@@ -5,7 +5,7 @@
 
 #include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 /// What the colour of walls shows.
 enum class WallColour {
@@ -37,8 +37,8 @@ struct ColourKey {
 class CellColours {
   public:
     /// The world must outlive it.
-    explicit CellColours(const World&);
-    void update(const State&, WallColour);
+    explicit CellColours(const core::World&);
+    void update(const core::State&, WallColour);
     /// The scales go on from those of another world.
     void continueScales(const CellColours& from);
 
@@ -47,16 +47,16 @@ class CellColours {
     const ColourKey& key() const { return key_; }
 
   private:
-    std::vector<double> stresses(const State&) const;  ///< Pa, per cell; 0 in absent ones
-    std::vector<double> speeds(const State&) const;    ///< m/s
+    std::vector<double> stresses(const core::State&) const;  ///< Pa, per cell; 0 in absent ones
+    std::vector<double> speeds(const core::State&) const;    ///< m/s
     void colourByScale(const std::vector<double>& values, double end);
-    void colourByPiece(const State&);
+    void colourByPiece(const core::State&);
 
-    const World& world_;
+    const core::World& world_;
     std::vector<glm::vec4> colours_;
     ColourKey key_;
     double strength_;              ///< Pa, the highest; 0: nothing breaks
     double stressEnd_, speedEnd_;  ///< Pa, m/s, of what has been seen
 };
 
-}  // namespace sunder
+}  // namespace sunder::render

@@ -2,7 +2,7 @@
 
 #include "render/uniforms.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 void CellPaint::bindSampler(const gl::Program& program) {
     program.bindSampler("cellColours", kPaintUnit);
@@ -25,4 +25,4 @@ void CellPaint::bind(const gl::Program& program) const {
     if (painted_) gl::bindTexture(kPaintUnit, GL_TEXTURE_BUFFER, texture_);
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

@@ -2,7 +2,7 @@
 #include "gl/program.hpp"
 #include "render/cell_colours.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 /// CellColours on the GPU, for every program that includes draw/paint.glsl.
 class CellPaint {
@@ -21,4 +21,4 @@ class CellPaint {
     gl::Texture texture_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::render

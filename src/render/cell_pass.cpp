@@ -4,7 +4,7 @@
 #include "render/uniforms.hpp"
 #include "render/wall_state.hpp"
 
-namespace sunder {
+namespace sunder::render {
 namespace {
 
 gl::ProgramDescription describeCells(CellPass::Output output) {
@@ -53,4 +53,4 @@ void CellPass::draw(const gpu::StateView& state, const glm::mat4& viewProjection
     glDrawArrays(GL_POINTS, 0, 6 * buffers_.cellCount());
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

@@ -4,7 +4,7 @@
 #include "gl/program.hpp"
 #include "gpu/world_buffers.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 /// Draws all bodies' cells as point primitives, one per face, which a geometry shader turns into
 /// faces (thesis, figure 6.6).
@@ -29,4 +29,4 @@ class CellPass {
     gl::Program program_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::render

@@ -6,7 +6,7 @@
 
 #include "image/srgb.hpp"
 
-namespace sunder {
+namespace sunder::render {
 namespace {
 
 /// Every eighth of viridis (S. van der Walt, N. Smith and E. Firing for matplotlib, CC0), sRGB.
@@ -33,7 +33,8 @@ glm::vec3 mapColour(double value) {
     const int below = std::min(static_cast<int>(place), kLast - 1);
     const glm::vec3 srgb =
         glm::mix(kViridis[below], kViridis[below + 1], static_cast<float>(place - below)) / 255.f;
-    return {linearFromSrgb(srgb.r), linearFromSrgb(srgb.g), linearFromSrgb(srgb.b)};
+    return {image::linearFromSrgb(srgb.r), image::linearFromSrgb(srgb.g),
+            image::linearFromSrgb(srgb.b)};
 }
 
 glm::vec3 distinctColour(int number) {
@@ -48,4 +49,4 @@ glm::vec3 distinctColour(int number) {
     return glm::clamp(colour, 0.f, 1.f);
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

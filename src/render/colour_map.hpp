@@ -1,7 +1,7 @@
 #pragma once
 #include <glm/glm.hpp>
 
-namespace sunder {
+namespace sunder::render {
 
 /// From dark (0) to light (1) in steps that look equal, also to the colour-blind. Linear RGB; what
 /// lies outside 0 to 1, or is no number, takes the nearer end, or 0.
@@ -13,4 +13,4 @@ glm::vec3 distinctColour(int number);
 /// Beside distinctColour()s, what is not to catch the eye. Linear RGB.
 inline constexpr glm::vec3 kNeutralColour{0.42f, 0.42f, 0.42f};
 
-}  // namespace sunder
+}  // namespace sunder::render

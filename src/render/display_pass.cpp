@@ -4,7 +4,7 @@
 #include "render/uniforms.hpp"
 #include "render/wall_state.hpp"
 
-namespace sunder {
+namespace sunder::render {
 namespace {
 
 constexpr GLuint kRestLocation = 0, kPlaceLocation = 1;
@@ -39,7 +39,7 @@ gl::ProgramDescription describe(DisplayPass::Output output) {
 
 }  // namespace
 
-DisplayBuffers::DisplayBuffers(const DisplayMesh& mesh)
+DisplayBuffers::DisplayBuffers(const surface::DisplayMesh& mesh)
     : vertices_(mesh.vertices().size()),
       indices_(mesh.indices().size()),
       opaqueIndices_(mesh.opaqueIndices()),
@@ -51,11 +51,11 @@ DisplayBuffers::DisplayBuffers(const DisplayMesh& mesh)
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indexBuffer_.id());
     const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
     glEnableVertexAttribArray(kRestLocation);
-    glVertexAttribPointer(kRestLocation, 3, GL_FLOAT, GL_FALSE, sizeof(DisplayVertex),
-                          offset(offsetof(DisplayVertex, rest)));
+    glVertexAttribPointer(kRestLocation, 3, GL_FLOAT, GL_FALSE, sizeof(surface::DisplayVertex),
+                          offset(offsetof(surface::DisplayVertex, rest)));
     glEnableVertexAttribArray(kPlaceLocation);
-    glVertexAttribIPointer(kPlaceLocation, 3, GL_UNSIGNED_INT, sizeof(DisplayVertex),
-                           offset(offsetof(DisplayVertex, cell)));
+    glVertexAttribIPointer(kPlaceLocation, 3, GL_UNSIGNED_INT, sizeof(surface::DisplayVertex),
+                           offset(offsetof(surface::DisplayVertex, cell)));
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
@@ -96,4 +96,4 @@ void DisplayPass::drawVertices(const gpu::StateView& state) const {
     mesh_.drawVertices();
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

@@ -1,16 +1,16 @@
 #pragma once
 #include <glm/glm.hpp>
 
-#include "core/display_mesh.hpp"
 #include "gl/program.hpp"
 #include "gpu/world_buffers.hpp"
+#include "surface/display_mesh.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 /// A display mesh on the GPU.
 class DisplayBuffers {
   public:
-    explicit DisplayBuffers(const DisplayMesh&);
+    explicit DisplayBuffers(const surface::DisplayMesh&);
 
     enum class Part { Opaque, Transparent };
     bool empty(Part part) const { return count(part) == 0; }
@@ -52,4 +52,4 @@ class DisplayPass {
     gl::Program program_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::render

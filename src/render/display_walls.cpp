@@ -2,7 +2,10 @@
 
 #include "render/uniforms.hpp"
 
-namespace sunder {
+namespace sunder::render {
+
+using namespace core;
+
 namespace {
 
 using Output = DisplayPass::Output;
@@ -62,4 +65,4 @@ void DisplayWalls::drawLines(const gpu::StateView& state, const Camera& camera,
         lines_.draw(state, camera.viewProjection(), part);
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

@@ -4,13 +4,13 @@
 #include "render/display_pass.hpp"
 #include "render/walls.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
-/// What a player sees: sections with torn edges (thesis, figure 8.1; core/display_mesh.hpp).
+/// What a player sees: sections with torn edges (thesis, figure 8.1; surface/display_mesh.hpp).
 class DisplayWalls : public Walls {
   public:
-    DisplayWalls(const World&, const gpu::WorldBuffers&);
-    const DisplayMesh& mesh() const { return mesh_; }
+    DisplayWalls(const core::World&, const gpu::WorldBuffers&);
+    const surface::DisplayMesh& mesh() const { return mesh_; }
 
     void drawDepth(const gpu::StateView&, const glm::mat4& lightMatrix) const override;
     void drawVeil(const gpu::StateView&, const glm::mat4& lightMatrix) const override;
@@ -20,10 +20,10 @@ class DisplayWalls : public Walls {
     void drawLines(const gpu::StateView&, const Camera&, const Shading&) const override;
 
   private:
-    DisplayMesh mesh_;
+    surface::DisplayMesh mesh_;
     DisplayBuffers buffers_;
     DisplayPass depth_, shaded_, lines_;
     std::optional<DisplayPass> veil_, transparent_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::render

@@ -10,7 +10,7 @@
 #include "image/text.hpp"
 #include "render/colour_map.hpp"
 
-namespace sunder {
+namespace sunder::render {
 namespace {
 
 /// A unit of the size of what is measured.
@@ -32,30 +32,30 @@ std::string number(double value) {
     return text;
 }
 
-Colour pixel(const glm::vec3& linear) {
-    return {srgbByte(linear.r), srgbByte(linear.g), srgbByte(linear.b)};
+image::Colour pixel(const glm::vec3& linear) {
+    return {image::srgbByte(linear.r), image::srgbByte(linear.g), image::srgbByte(linear.b)};
 }
 
-void drawScale(Image& image, const ColourKey& key, int scale) {
-    const int margin = 4 * scale, line = (kTextRows + 2) * scale;
+void drawScale(image::Image& image, const ColourKey& key, int scale) {
+    const int margin = 4 * scale, line = (image::kTextRows + 2) * scale;
     const int length = std::min(120 * scale, image.width - 2 * margin);
-    const int left = margin, numbers = image.height - margin - kTextRows * scale;
+    const int left = margin, numbers = image.height - margin - image::kTextRows * scale;
     const int bottom = numbers - 3 * scale, top = bottom - 7 * scale;
 
     const int edge = std::max(1, scale / 2);
-    fillRectangle(image, left - edge, top - edge, left + length + edge, bottom + edge,
-                  {24, 24, 24});
+    image::fillRectangle(image, left - edge, top - edge, left + length + edge, bottom + edge,
+                         {24, 24, 24});
     for (int x = 0; x < length; ++x)
-        fillRectangle(image, left + x, top, left + x + 1, bottom,
-                      pixel(mapColour((x + 0.5) / length)));
+        image::fillRectangle(image, left + x, top, left + x + 1, bottom,
+                             pixel(mapColour((x + 0.5) / length)));
 
-    drawText(image, left, top - edge - line, legendTitle(key), scale);
+    image::drawText(image, left, top - edge - line, legendTitle(key), scale);
     const std::array<std::string, 3> values = legendNumbers(key);
     for (const int half : {0, 1, 2}) {
         const std::string& text = values[half];
         // The first begins at the bar's left end, the last ends at its right one.
-        const int x = left + half * (length - textWidth(text, scale)) / 2;
-        drawText(image, x, numbers, text, scale);
+        const int x = left + half * (length - image::textWidth(text, scale)) / 2;
+        image::drawText(image, x, numbers, text, scale);
     }
 }
 
@@ -76,11 +76,12 @@ std::string legendText(const ColourKey& key) {
     return std::to_string(key.pieces) + (key.pieces == 1 ? " piece" : " pieces");
 }
 
-void drawLegend(Image& image, const ColourKey& key) {
-    const int scale = textScale(image.height);
+void drawLegend(image::Image& image, const ColourKey& key) {
+    const int scale = image::textScale(image.height);
     if (hasScale(key)) drawScale(image, key, scale);
     if (const std::string text = legendText(key); !text.empty())
-        drawText(image, 4 * scale, image.height - (4 + kTextRows) * scale, text, scale);
+        image::drawText(image, 4 * scale, image.height - (4 + image::kTextRows) * scale, text,
+                        scale);
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

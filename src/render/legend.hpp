@@ -5,7 +5,7 @@
 #include "image/image.hpp"
 #include "render/cell_colours.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 /// What a bar of colours shows, with its unit: "speed, m/s"; and what stands at its dark end, its
 /// middle and its bright end. For stress and speed only.
@@ -19,6 +19,6 @@ inline bool hasScale(const ColourKey& key) {
 
 /// Draws what the colours mean into a picture's bottom left corner: a bar with numbers and unit, or
 /// the number of pieces. Nothing for materials.
-void drawLegend(Image&, const ColourKey&);
+void drawLegend(image::Image&, const ColourKey&);
 
-}  // namespace sunder
+}  // namespace sunder::render

@@ -5,7 +5,10 @@
 
 #include "gpu/layout.hpp"
 
-namespace sunder {
+namespace sunder::render {
+
+using namespace core;
+
 namespace {
 
 constexpr int kBinding = 1;
@@ -67,4 +70,4 @@ void LookTable::bind() const {
     glBindBufferBase(GL_UNIFORM_BUFFER, kBinding, buffer_.id());
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

@@ -2,13 +2,13 @@
 #include "core/world.hpp"
 #include "gl/program.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 /// What every material looks like (SurfaceLook in glsl/shared/layout.h): a row for each row of the
 /// world's table of laws.
 class LookTable {
   public:
-    explicit LookTable(const World&);
+    explicit LookTable(const core::World&);
 
     /// Once for a program that includes draw/looks.glsl.
     static void prepare(const gl::Program&);
@@ -22,4 +22,4 @@ class LookTable {
     bool anyTransparent_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::render

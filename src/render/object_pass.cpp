@@ -6,7 +6,10 @@
 #include "render/shading.hpp"
 #include "render/uniforms.hpp"
 
-namespace sunder {
+namespace sunder::render {
+
+using namespace core;
+
 namespace {
 
 // Quads along an octant's edge. 7.5 degrees each: the outline of a ball of 100 pixels is exact to
@@ -73,4 +76,4 @@ void ObjectPass::drawBoxes(int chained, int count, int segments) const {
     glDrawArraysInstanced(GL_TRIANGLES, 0, 6 * 6 * row * row, count);
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

@@ -3,12 +3,12 @@
 
 #include "render/cell_pass.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 /// Draws a world's objects, and the chains that they hang from.
 class ObjectPass {
   public:
-    ObjectPass(CellPass::Output, const World&, const gpu::WorldBuffers&,
+    ObjectPass(CellPass::Output, const core::World&, const gpu::WorldBuffers&,
                const gl::VertexArray& noAttributes);
 
     /// In use after this; set further uniforms of it before draw().
@@ -28,4 +28,4 @@ class ObjectPass {
     int segments_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::render

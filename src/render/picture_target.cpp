@@ -6,7 +6,10 @@
 #include "core/types.hpp"
 #include "gl/device_failure.hpp"
 
-namespace sunder {
+namespace sunder::render {
+
+using namespace core;
+
 namespace {
 
 [[noreturn]] void failSize(int width, int height) {
@@ -44,11 +47,11 @@ PictureTarget::PictureTarget(int width, int height, int samples)
     : width_(width), height_(height), samples_(samples) {
     const int largest = limit(GL_MAX_TEXTURE_SIZE);
     if (width < 1 || height < 1 || width > largest || height > largest ||
-        std::int64_t{width} * height > kMaxPixels)
+        std::int64_t{width} * height > image::kMaxPixels)
         throw InputError("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                          " pixels cannot be drawn; each side must be 1 to " +
                          std::to_string(largest) + " and their product at most " +
-                         std::to_string(kMaxPixels));
+                         std::to_string(image::kMaxPixels));
     const int most =
         std::min(limit(GL_MAX_COLOR_TEXTURE_SAMPLES), limit(GL_MAX_DEPTH_TEXTURE_SAMPLES));
     sampleCount_ = std::clamp(samples, 1, std::max(most, 1));
@@ -98,14 +101,14 @@ void PictureTarget::show(int left, int bottom) const {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-Image PictureTarget::read() const {
+image::Image PictureTarget::read() const {
     glBindFramebuffer(GL_FRAMEBUFFER, plain_.id());
     // Four channels: drivers convert to three slowly.
     std::vector<std::uint8_t> rgba(std::size_t{4} * width_ * height_);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
 
-    Image image{width_, height_, {}};
+    image::Image image{width_, height_, {}};
     image.pixels.resize(std::size_t{3} * width_ * height_);
     auto out = image.pixels.begin();
     for (int row = height_ - 1; row >= 0; --row) {  // GL's rows run upwards
@@ -115,4 +118,4 @@ Image PictureTarget::read() const {
     return image;
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

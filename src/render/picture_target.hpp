@@ -4,7 +4,7 @@
 #include "gl/objects.hpp"
 #include "image/image.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 /// A texture to draw into: of so many samples (GL_TEXTURE_2D_MULTISAMPLE), or plain (GL_TEXTURE_2D)
 /// for one, as drivers round a multisample texture's one up. Throws InputError when the device has
@@ -45,7 +45,7 @@ class PictureTarget {
     /// lower left corner at these pixels.
     void show(int left, int bottom) const;
     /// Reads the resolved picture. Waits for the GPU.
-    Image read() const;
+    image::Image read() const;
 
   private:
     int width_ = 0, height_ = 0, samples_ = 0, sampleCount_ = 0;
@@ -53,4 +53,4 @@ class PictureTarget {
     gl::Framebuffer drawn_, plain_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::render

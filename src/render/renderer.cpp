@@ -13,7 +13,10 @@
 #include "render/transparency.hpp"
 #include "render/uniforms.hpp"
 
-namespace sunder {
+namespace sunder::render {
+
+using namespace core;
+
 namespace {
 
 /// What drawing needs of GL's state, for as long as it lives; the simulation's passes set little
@@ -174,11 +177,11 @@ Renderer::Renderer(const World& world, const gpu::WorldBuffers& buffers, const R
 
 Renderer::~Renderer() = default;
 
-const DisplayMesh& Renderer::displayMesh() {
+const surface::DisplayMesh& Renderer::displayMesh() {
     return impl_->displayed().mesh();
 }
 
-void Renderer::render(const gpu::StateView& state, const CameraDescription& description,
+void Renderer::render(const gpu::StateView& state, const scene::CameraDescription& description,
                       const RenderSettings& settings) {
     Impl& impl = *impl_;
     if (!impl.target.fits(settings.width, settings.height, settings.samples))
@@ -217,14 +220,14 @@ void Renderer::show(int left, int bottom) const {
     impl_->target.show(left, bottom);
 }
 
-Image Renderer::read() const {
+image::Image Renderer::read() const {
     return impl_->target.read();
 }
 
-Image Renderer::draw(const gpu::StateView& state, const CameraDescription& camera,
-                     const RenderSettings& settings) {
+image::Image Renderer::draw(const gpu::StateView& state, const scene::CameraDescription& camera,
+                            const RenderSettings& settings) {
     render(state, camera, settings);
     return read();
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

@@ -4,16 +4,16 @@
 #include <optional>
 #include <string_view>
 
-#include "core/display_mesh.hpp"
 #include "gpu/world_buffers.hpp"
 #include "image/image.hpp"
 #include "render/cell_colours.hpp"
 #include "scene/scene.hpp"
+#include "surface/display_mesh.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 enum class DrawnMesh {
-    Display,     ///< what is seen: sections with torn edges (core/display_mesh.hpp)
+    Display,     ///< what is seen: sections with torn edges (surface/display_mesh.hpp)
     Simulation,  ///< the tetrahedra's hull
 };
 
@@ -49,25 +49,26 @@ class Renderer {
   public:
     /// `like`: one of the same context, whose textures it shares where they are what this world
     /// needs: making them takes a software driver longer than all else.
-    Renderer(const World&, const gpu::WorldBuffers&, const Renderer* like = nullptr);
+    Renderer(const core::World&, const gpu::WorldBuffers&, const Renderer* like = nullptr);
     ~Renderer();
 
     /// The display mesh, made when it is first drawn.
-    const DisplayMesh& displayMesh();
+    const surface::DisplayMesh& displayMesh();
 
     /// Draws one picture off screen.
-    void render(const gpu::StateView&, const CameraDescription&, const RenderSettings&);
+    void render(const gpu::StateView&, const scene::CameraDescription&, const RenderSettings&);
     /// Copies the last one into a window's framebuffer, its lower left corner at these pixels: the
     /// same bytes that read() gives.
     void show(int left, int bottom) const;
     /// Reads the last one back: waits for the GPU.
-    Image read() const;
+    image::Image read() const;
     /// Draws one and reads it back.
-    Image draw(const gpu::StateView&, const CameraDescription&, const RenderSettings&);
+    image::Image draw(const gpu::StateView&, const scene::CameraDescription&,
+                      const RenderSettings&);
 
   private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::render

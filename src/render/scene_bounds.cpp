@@ -4,7 +4,10 @@
 #include <limits>
 #include <optional>
 
-namespace sunder {
+namespace sunder::render {
+
+using namespace core;
+
 namespace {
 
 struct Corners {
@@ -62,4 +65,4 @@ SceneBounds sceneBounds(const World& world) {
     return bounds;
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

@@ -3,7 +3,7 @@
 
 #include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 /// What a picture has to have room for: the bodies at rest, the objects and chains, and air around
 /// them for what breaks off.
@@ -16,6 +16,6 @@ struct SceneBounds {
     float radius() const { return 0.5f * glm::length(high - low); }
 };
 
-SceneBounds sceneBounds(const World&);
+SceneBounds sceneBounds(const core::World&);
 
-}  // namespace sunder
+}  // namespace sunder::render

@@ -2,7 +2,9 @@
 
 #include "render/uniforms.hpp"
 
-namespace sunder {
+namespace sunder::render {
+
+using namespace core;
 
 Shading::Shading(const World& world, const SceneBounds& bounds, const gl::VertexArray& noAttributes,
                  const Shading* like)
@@ -29,4 +31,4 @@ void Shading::bind(const gl::Program& program, const glm::vec3& eye) const {
     setUniform(program, "eye", eye);
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

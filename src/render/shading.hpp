@@ -6,14 +6,14 @@
 #include "render/shadow_map.hpp"
 #include "render/surface_textures.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 /// Everything that glsl/draw/surface.glsl reads: looks, textures, sun and shadow; and what it may
 /// be painted with instead. One for a world.
 class Shading {
   public:
     /// Shares the textures of `like`, if there is one and they are what this world needs.
-    Shading(const World&, const SceneBounds&, const gl::VertexArray& noAttributes,
+    Shading(const core::World&, const SceneBounds&, const gl::VertexArray& noAttributes,
             const Shading* like);
 
     /// Once for a program that includes draw/surface.glsl, or a part of it.
@@ -33,4 +33,4 @@ class Shading {
     bool grounded_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::render

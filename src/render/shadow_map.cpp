@@ -8,7 +8,7 @@
 #include "../../glsl/draw/sun.h"
 #include "render/uniforms.hpp"
 
-namespace sunder {
+namespace sunder::render {
 namespace {
 
 using glm::vec3;
@@ -127,4 +127,4 @@ void ShadowMap::bind(const gl::Program& program) const {
     gl::bindTexture(kShadowVeilUnit, GL_TEXTURE_2D, veil_);
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

@@ -4,7 +4,7 @@
 #include "gl/program.hpp"
 #include "render/scene_bounds.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 /// Depth of the scene as the sun sees it, fitted to the bodies and the air around them. What flies
 /// further casts no shadow.
@@ -37,4 +37,4 @@ class ShadowMap {
     gl::Framebuffer framebuffer_, veilFramebuffer_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::render

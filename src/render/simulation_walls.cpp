@@ -2,7 +2,7 @@
 
 #include "render/uniforms.hpp"
 
-namespace sunder {
+namespace sunder::render {
 namespace {
 
 void drawShaded(const CellPass& pass, const gpu::StateView& state, const Camera& camera,
@@ -51,4 +51,4 @@ void SimulationWalls::drawLines(const gpu::StateView& state, const Camera& camer
     lines_.draw(state, camera.viewProjection());
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

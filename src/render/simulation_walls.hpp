@@ -4,7 +4,7 @@
 #include "render/cell_pass.hpp"
 #include "render/walls.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 /// The hull of the tetrahedra (thesis, figure 6.6). Cracks (broken bonds between faces that still
 /// touch) show as dark lines.
@@ -25,4 +25,4 @@ class SimulationWalls : public Walls {
     std::optional<CellPass> veil_, transparent_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::render

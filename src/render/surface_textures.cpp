@@ -7,7 +7,10 @@
 #include "gl/context.hpp"
 #include "render/uniforms.hpp"
 
-namespace sunder {
+namespace sunder::render {
+
+using namespace core;
+
 namespace {
 
 /// Texels along an edge: two millimetres or less for the largest layer, concrete.
@@ -138,4 +141,4 @@ void SurfaceTextures::bind(const gl::Program& program) const {
     gl::bindTexture(kSurfaceUnit, GL_TEXTURE_2D_ARRAY, layers_);
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

@@ -6,16 +6,16 @@
 #include "core/world.hpp"
 #include "gl/program.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 /// Wood grain, brick, mortar, concrete, rubber and the sky's clouds, made by fragment shaders: a 2D
 /// array texture with mipmaps that tiles (glsl/draw/surface_layers.glsl has its texels). Only
 /// layers that the world needs are made.
 class SurfaceTextures {
   public:
-    SurfaceTextures(const World&, const gl::VertexArray& noAttributes);
+    SurfaceTextures(const core::World&, const gl::VertexArray& noAttributes);
     /// Whether it has just the layers that a world needs.
-    bool fits(const World&) const;
+    bool fits(const core::World&) const;
 
     /// Once for a program that samples `surfaces`.
     static void prepare(const gl::Program&);
@@ -28,4 +28,4 @@ class SurfaceTextures {
     gl::Texture layers_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::render

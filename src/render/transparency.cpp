@@ -2,7 +2,7 @@
 
 #include "render/uniforms.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 Transparency::Transparency(const gl::VertexArray& noAttributes) : noAttributes_(noAttributes) {}
 
@@ -58,4 +58,4 @@ void Transparency::draw(const PictureTarget& target, const std::function<void()>
     glDepthMask(GL_TRUE);
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

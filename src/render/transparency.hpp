@@ -4,7 +4,7 @@
 #include "gl/program.hpp"
 #include "render/picture_target.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 /// Draws what lets light through, in whatever order it comes: weighted blended order-independent
 /// transparency (McGuire and Bavoil 2013). How much of the light behind arrives is exact for any
@@ -28,4 +28,4 @@ class Transparency {
     gl::Framebuffer framebuffer_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::render

@@ -2,7 +2,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
-namespace sunder {
+namespace sunder::render {
 
 void setUniform(const gl::Program& program, const char* name, const glm::mat4& value) {
     glUniformMatrix4fv(program.uniform(name), 1, GL_FALSE, glm::value_ptr(value));
@@ -32,4 +32,4 @@ void setUniform(const gl::Program& program, const char* name, bool value) {
     glUniform1i(program.uniform(name), value ? 1 : 0);
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

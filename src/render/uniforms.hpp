@@ -3,7 +3,7 @@
 
 #include "gl/program.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 // Set a uniform of the program in use.
 void setUniform(const gl::Program&, const char* name, const glm::mat4&);
@@ -32,4 +32,4 @@ enum TextureUnit {
     kPaintUnit
 };
 
-}  // namespace sunder
+}  // namespace sunder::render

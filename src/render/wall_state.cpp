@@ -2,7 +2,7 @@
 
 #include "render/uniforms.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 void prepareWallState(const gl::Program& program) {
     program.bindSampler("cells", kCellUnit);
@@ -23,4 +23,4 @@ void bindWallState(const gl::Program& program, const gpu::WorldBuffers& buffers,
     gl::bindTexture(kRestUnit, GL_TEXTURE_BUFFER, buffers.rest());
 }
 
-}  // namespace sunder
+}  // namespace sunder::render

@@ -3,7 +3,7 @@
 #include "render/camera.hpp"
 #include "render/shading.hpp"
 
-namespace sunder {
+namespace sunder::render {
 
 /// The bodies of a world as one kind of mesh, in every way that the renderer draws them.
 class Walls {
@@ -24,4 +24,4 @@ class Walls {
     virtual void drawLines(const gpu::StateView&, const Camera&, const Shading&) const = 0;
 };
 
-}  // namespace sunder
+}  // namespace sunder::render

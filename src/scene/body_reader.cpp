@@ -8,7 +8,10 @@
 #include "scene/overlap_reader.hpp"
 #include "scene/wording.hpp"
 
-namespace sunder {
+namespace sunder::scene {
+
+using namespace core;
+
 namespace {
 
 std::string triple(const IVec3& v) {
@@ -158,4 +161,4 @@ std::vector<int> BodyReader::find(const std::string& name) const {
     return result;
 }
 
-}  // namespace sunder
+}  // namespace sunder::scene

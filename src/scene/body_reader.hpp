@@ -7,12 +7,12 @@
 #include "scene/material_file.hpp"
 #include "scene/table_reader.hpp"
 
-namespace sunder {
+namespace sunder::scene {
 
 /// Reads [[body]] tables, makes their copies and collects the materials they use.
 class BodyReader {
   public:
-    BodyReader(WorldDescription& world, MaterialLibrary& library)
+    BodyReader(core::WorldDescription& world, MaterialLibrary& library)
         : world_(world), library_(library) {}
 
     void readAll(const TableReader& scene);
@@ -25,16 +25,16 @@ class BodyReader {
 
   private:
     void readBody(const TableReader& reader);
-    void readRegions(const TableReader& reader, BodyDescription& body);
-    void addCopies(const TableReader& reader, const BodyDescription& body);
-    void add(const TableReader& reader, BodyDescription body);
+    void readRegions(const TableReader& reader, core::BodyDescription& body);
+    void addCopies(const TableReader& reader, const core::BodyDescription& body);
+    void add(const TableReader& reader, core::BodyDescription body);
     int materialIndex(const TableReader& reader);
 
     struct Group {
         int first = 0;
         int count = 0;
     };
-    WorldDescription& world_;
+    core::WorldDescription& world_;
     MaterialLibrary& library_;
     std::map<std::string, int> materials_;
     std::vector<std::string> names_;
@@ -42,4 +42,4 @@ class BodyReader {
     std::int64_t cells_ = 0;
 };
 
-}  // namespace sunder
+}  // namespace sunder::scene

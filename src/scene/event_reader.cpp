@@ -5,7 +5,10 @@
 #include "scene/object_reader.hpp"
 #include "scene/wording.hpp"
 
-namespace sunder {
+namespace sunder::scene {
+
+using namespace core;
+
 namespace {
 
 constexpr std::size_t kThrow = 3;
@@ -73,4 +76,4 @@ void readEvents(const TableReader& scene, const BodyReader& bodies, WorldDescrip
     }
 }
 
-}  // namespace sunder
+}  // namespace sunder::scene

@@ -3,7 +3,10 @@
 #include <cmath>
 #include <cstdio>
 
-namespace sunder {
+namespace sunder::scene {
+
+using namespace core;
+
 namespace {
 
 std::string threeDigits(double value) {
@@ -36,4 +39,4 @@ std::vector<std::string> limitWarnings(const Scene& scene, const World& world) {
     return warnings;
 }
 
-}  // namespace sunder
+}  // namespace sunder::scene

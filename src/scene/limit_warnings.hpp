@@ -4,9 +4,9 @@
 
 #include "scene/scene.hpp"
 
-namespace sunder {
+namespace sunder::scene {
 
 /// One sentence per material whose stiffness the step does not carry; never silent.
-std::vector<std::string> limitWarnings(const Scene&, const World&);
+std::vector<std::string> limitWarnings(const Scene&, const core::World&);
 
-}  // namespace sunder
+}  // namespace sunder::scene

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstddef>
 
-namespace sunder {
+namespace sunder::scene {
 
 /// What a file may ask for. Far beyond any sensible scene; there so that a broken or hostile file
 /// ends in a sentence and not in minutes of work or gigabytes of memory.
@@ -16,4 +16,4 @@ inline constexpr std::size_t kMaxEvents = 10000;  ///< one per copy it acts on
 inline constexpr double kMaxLength = 1e4;         ///< m, any coordinate
 inline constexpr double kMaxTime = 1e5;           ///< s
 
-}  // namespace sunder
+}  // namespace sunder::scene

@@ -7,7 +7,10 @@
 #include "scene/toml_file.hpp"
 #include "scene/wording.hpp"
 
-namespace sunder {
+namespace sunder::scene {
+
+using namespace core;
+
 namespace {
 
 /// Files that lead to one another by `base`; more is taken for a circle.
@@ -54,7 +57,7 @@ Material parseMaterialAt(std::string_view text, const std::string& file,
     const TableReader reader(document, file, "the material", materialKeys());
     MaterialLibrary library(folder, depth);
     Material material = readMaterial(reader, library, {});
-    material.name = utf8FromPath(pathFromUtf8(file).stem());
+    material.name = files::utf8FromPath(files::pathFromUtf8(file).stem());
     return material;
 }
 
@@ -101,14 +104,14 @@ Material MaterialLibrary::find(const std::string& name, const Complain& complain
     if (const EmbeddedFile* preset = findPreset(PresetKind::Material, name))
         return parseMaterialAt(preset->text, name + ".toml", {}, depth_ + 1);
     if (!looksLikePath(name)) complain(unknown(name));
-    const std::filesystem::path path = folder_ / pathFromUtf8(name);
+    const std::filesystem::path path = folder_ / files::pathFromUtf8(name);
     std::string text;
     try {
         text = readTextFile(path);
     } catch (const InputError& error) {
         complain(error.what());
     }
-    return parseMaterialAt(text, utf8FromPath(path), path.parent_path(), depth_ + 1);
+    return parseMaterialAt(text, files::utf8FromPath(path), path.parent_path(), depth_ + 1);
 }
 
 std::string MaterialLibrary::unknown(const std::string& name) const {
@@ -128,7 +131,7 @@ Material loadMaterial(const std::string& nameOrPath, const std::filesystem::path
 }
 
 Material parseMaterial(std::string_view text, const std::string& file) {
-    return parseMaterialAt(text, file, pathFromUtf8(file).parent_path(), 0);
+    return parseMaterialAt(text, file, files::pathFromUtf8(file).parent_path(), 0);
 }
 
-}  // namespace sunder
+}  // namespace sunder::scene

@@ -9,7 +9,7 @@
 #include "core/material.hpp"
 #include "scene/table_reader.hpp"
 
-namespace sunder {
+namespace sunder::scene {
 
 /// Keys a material may have.
 TableReader::Keys materialKeys();
@@ -31,15 +31,16 @@ class MaterialLibrary {
 
     /// A scene's own material hides a preset of the same name. A material that names itself
     /// (`self`) as its base means the preset or file that it hides.
-    Material find(const std::string& name, const Complain& complain, std::string_view self = {});
+    core::Material find(const std::string& name, const Complain& complain,
+                        std::string_view self = {});
 
   private:
     struct Own {
         TableReader reader;
         enum class State { Unread, BeingRead, Read } state = State::Unread;
-        Material material;
+        core::Material material;
     };
-    const Material& resolve(const std::string& name, Own& own, const Complain& complain);
+    const core::Material& resolve(const std::string& name, Own& own, const Complain& complain);
     std::string unknown(const std::string& name) const;
 
     std::filesystem::path folder_;
@@ -47,4 +48,4 @@ class MaterialLibrary {
     std::map<std::string, Own> own_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::scene

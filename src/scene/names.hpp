@@ -1,7 +1,7 @@
 #pragma once
 #include <string_view>
 
-namespace sunder {
+namespace sunder::scene {
 
 // What scene files call the values of an enumeration, in its order.
 
@@ -10,4 +10,4 @@ constexpr std::string_view kShapeNames[] = {"sphere", "box", "capsule"};
 /// EventDescription::Kind; then what happens to objects.
 constexpr std::string_view kEventNames[] = {"impulse", "force", "velocity", "throw"};
 
-}  // namespace sunder
+}  // namespace sunder::scene

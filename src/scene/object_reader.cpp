@@ -8,7 +8,10 @@
 #include "scene/overlap_reader.hpp"
 #include "scene/wording.hpp"
 
-namespace sunder {
+namespace sunder::scene {
+
+using namespace core;
+
 namespace {
 
 // In the order of ObjectShape.
@@ -150,4 +153,4 @@ void readThrow(const TableReader& event, WorldDescription& world) {
     world.throws.push_back(thrown);
 }
 
-}  // namespace sunder
+}  // namespace sunder::scene

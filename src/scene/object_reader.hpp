@@ -2,12 +2,12 @@
 #include "core/world.hpp"
 #include "scene/table_reader.hpp"
 
-namespace sunder {
+namespace sunder::scene {
 
 /// Reads the [[object]] tables into world.objects. Needs world.ground to be set.
-void readObjects(const TableReader& scene, WorldDescription& world);
+void readObjects(const TableReader& scene, core::WorldDescription& world);
 
 /// Reads an [[event]] of kind "throw" into world.throws. The objects must have been read.
-void readThrow(const TableReader& event, WorldDescription& world);
+void readThrow(const TableReader& event, core::WorldDescription& world);
 
-}  // namespace sunder
+}  // namespace sunder::scene

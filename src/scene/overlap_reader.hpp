@@ -1,7 +1,7 @@
 #pragma once
 #include "scene/table_reader.hpp"
 
-namespace sunder {
+namespace sunder::scene {
 
 /// Reads `overlap` of a body or an object: whether it may be in something when the world begins
 /// (core/overlap.hpp).
@@ -10,4 +10,4 @@ inline bool readOverlap(const TableReader& reader) {
     return reader.readChoice("overlap", choices) == 1;
 }
 
-}  // namespace sunder
+}  // namespace sunder::scene

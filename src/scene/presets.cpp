@@ -5,7 +5,10 @@
 #include "embedded_presets.hpp"
 #include "scene/scene.hpp"
 
-namespace sunder {
+namespace sunder::scene {
+
+using namespace core;
+
 namespace {
 
 /// "scenes/wood.toml" is the scene "wood". Empty: a file of the other kind.
@@ -47,4 +50,4 @@ std::vector<PresetInfo> materialPresets() {
     return result;
 }
 
-}  // namespace sunder
+}  // namespace sunder::scene

@@ -5,14 +5,14 @@
 
 #include "core/embedded_file.hpp"
 
-namespace sunder {
+namespace sunder::scene {
 
 enum class PresetKind { Scene, Material };
 
 /// The preset's file, or null.
-const EmbeddedFile* findPreset(PresetKind kind, std::string_view name);
+const core::EmbeddedFile* findPreset(PresetKind kind, std::string_view name);
 
 /// Sorted.
 std::vector<std::string> presetNames(PresetKind kind);
 
-}  // namespace sunder
+}  // namespace sunder::scene

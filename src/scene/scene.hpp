@@ -6,12 +6,12 @@
 
 #include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::scene {
 
 struct CameraDescription {
-    Vec3 position{0, 1.6, 5};  ///< m
-    Vec3 target{0, 1, 0};      ///< m
-    double fieldOfView = 45;   ///< degrees, vertical, 1 to 170
+    core::Vec3 position{0, 1.6, 5};  ///< m
+    core::Vec3 target{0, 1, 0};      ///< m
+    double fieldOfView = 45;         ///< degrees, vertical, 1 to 170
 };
 
 /// A scene file, read and checked. `world.step` is 1/(60·substeps).
@@ -20,7 +20,7 @@ struct Scene {
     std::string title;  ///< one line, for `sunder list`
     int frames = 120;   ///< how long `sunder run` runs by default, in frames of 1/60 s, 1 to 1e6
     int substeps = 50;  ///< per 1/60 s, 1 to 10000
-    WorldDescription world;
+    core::WorldDescription world;
     CameraDescription camera;
     bool ownCamera = false;  ///< its file says where the camera is
 };
@@ -36,8 +36,9 @@ Scene parseScene(std::string_view text, const std::string& file,
                  const std::filesystem::path& folder);
 
 /// Reads a material: a preset's name or a path. Relative paths start at `folder`.
-Material loadMaterial(const std::string& nameOrPath, const std::filesystem::path& folder = {});
-Material parseMaterial(std::string_view text, const std::string& file);
+core::Material loadMaterial(const std::string& nameOrPath,
+                            const std::filesystem::path& folder = {});
+core::Material parseMaterial(std::string_view text, const std::string& file);
 
 struct PresetInfo {
     std::string name;
@@ -46,4 +47,4 @@ struct PresetInfo {
 std::vector<PresetInfo> scenePresets();     ///< sorted by name
 std::vector<PresetInfo> materialPresets();  ///< sorted by name
 
-}  // namespace sunder
+}  // namespace sunder::scene

@@ -12,7 +12,10 @@
 #include "scene/toml_file.hpp"
 #include "scene/wording.hpp"
 
-namespace sunder {
+namespace sunder::scene {
+
+using namespace core;
+
 namespace {
 
 void readSolver(const TableReader& root, Scene& scene) {
@@ -80,7 +83,7 @@ Scene parseScene(std::string_view text, const std::string& file,
                            {"title", "frames", "gravity", "seed", "solver", "ground", "room",
                             "contact", "camera", "material", "body", "object", "event"});
     Scene scene;
-    scene.name = utf8FromPath(pathFromUtf8(file).stem());
+    scene.name = files::utf8FromPath(files::pathFromUtf8(file).stem());
     scene.title = scene.name;
     WorldDescription& world = scene.world;
     root.read("title", scene.title, kMaxTitle);
@@ -114,8 +117,8 @@ Scene loadScene(const std::string& nameOrPath) {
                          "; a file's path has a '/' or ends in .toml" +
                          suggestion(nameOrPath, presets));
     }
-    const std::filesystem::path path = pathFromUtf8(nameOrPath);
+    const std::filesystem::path path = files::pathFromUtf8(nameOrPath);
     return parseScene(readTextFile(path), nameOrPath, path.parent_path());
 }
 
-}  // namespace sunder
+}  // namespace sunder::scene

@@ -7,7 +7,10 @@
 #include "scene/names.hpp"
 #include "scene/wording.hpp"
 
-namespace sunder {
+namespace sunder::scene {
+
+using namespace core;
+
 namespace {
 
 /// TOML wants a digit on both sides of a decimal point; "1e12" and "5" it takes for numbers.
@@ -208,4 +211,4 @@ std::string writeScene(const Scene& scene) {
     return out.take();
 }
 
-}  // namespace sunder
+}  // namespace sunder::scene

@@ -5,7 +5,10 @@
 
 #include "scene/wording.hpp"
 
-namespace sunder {
+namespace sunder::scene {
+
+using namespace core;
+
 namespace {
 
 /// "not -5", "not the string 'abc'", …
@@ -312,4 +315,4 @@ std::vector<std::pair<std::string, TableReader>> TableReader::namedTables(
     return result;
 }
 
-}  // namespace sunder
+}  // namespace sunder::scene

@@ -11,7 +11,7 @@
 
 #include "core/types.hpp"
 
-namespace sunder {
+namespace sunder::scene {
 
 /// What a number may be. Not-a-number and infinity never pass.
 struct Range {
@@ -51,9 +51,10 @@ class TableReader {
     /// A whole number; 1e6 counts as one.
     bool read(std::string_view key, std::int64_t& value, const WholeRange& range) const;
     bool read(std::string_view key, int& value, const WholeRange& range) const;
-    bool read(std::string_view key, IVec3& value, const WholeRange& range) const;
+    bool read(std::string_view key, core::IVec3& value, const WholeRange& range) const;
     /// `single`: one number is taken for all three.
-    bool read(std::string_view key, Vec3& value, const Range& range, bool single = false) const;
+    bool read(std::string_view key, core::Vec3& value, const Range& range,
+              bool single = false) const;
     /// Two numbers, the second greater than the first.
     bool read(std::string_view key, std::array<double, 2>& value, const Range& range) const;
     /// One line of 1 to `maxCharacters` bytes without control characters.
@@ -107,4 +108,4 @@ class TableReader {
     bool isRoot_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::scene

@@ -9,7 +9,10 @@
 #include "files/utf8_path.hpp"
 #include "scene/wording.hpp"
 
-namespace sunder {
+namespace sunder::scene {
+
+using namespace core;
+
 namespace {
 
 constexpr int kMaxKeyParts = 16;
@@ -68,7 +71,7 @@ void checkKeyDepth(std::string_view text, const std::string& file) {
 }  // namespace
 
 std::string readTextFile(const std::filesystem::path& path) {
-    const std::string intro = "cannot read " + inQuotes(utf8FromPath(path)) + ": ";
+    const std::string intro = "cannot read " + inQuotes(files::utf8FromPath(path)) + ": ";
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
         throw InputError(intro + "it is a folder; name a .toml file in it");
@@ -104,4 +107,4 @@ bool looksLikePath(std::string_view name) {
     return name.find_first_of("/\\") != std::string_view::npos || name.ends_with(".toml");
 }
 
-}  // namespace sunder
+}  // namespace sunder::scene

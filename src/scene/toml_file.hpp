@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunder {
+namespace sunder::scene {
 
 /// Files larger than this are refused, in bytes.
 inline constexpr std::size_t kMaxFileSize = 4u << 20;
@@ -19,4 +19,4 @@ toml::table parseToml(std::string_view text, const std::string& file);
 /// A name with a '/' or '\' or the ending ".toml" means a file, not a preset.
 bool looksLikePath(std::string_view name);
 
-}  // namespace sunder
+}  // namespace sunder::scene

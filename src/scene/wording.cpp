@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace sunder {
+namespace sunder::scene {
 namespace {
 
 struct CodePoint {
@@ -136,4 +136,4 @@ std::string suggestion(std::string_view name, std::span<const std::string_view> 
     return suggestionAmong(name, candidates);
 }
 
-}  // namespace sunder
+}  // namespace sunder::scene

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunder {
+namespace sunder::scene {
 
 /// How messages show what a user wrote: whatever it was, the message stays one readable line.
 
@@ -26,4 +26,4 @@ std::string joined(std::span<const std::string_view> names);
 std::string suggestion(std::string_view name, std::span<const std::string> candidates);
 std::string suggestion(std::string_view name, std::span<const std::string_view> candidates);
 
-}  // namespace sunder
+}  // namespace sunder::scene

@@ -20,10 +20,10 @@ void next(Session& session, const char* name, Value& value, const Value (&values
 }
 
 void nextSolver(Session& session) {
-    const auto& known = solvers();
+    const auto& known = sim::solvers();
     const std::string& now = session.stage->simulation.solverInfo().name;
     const auto at = std::find_if(known.begin(), known.end(),
-                                 [&](const SolverInfo& solver) { return solver.name == now; });
+                                 [&](const sim::SolverInfo& solver) { return solver.name == now; });
     session.setSolver(known[(at - known.begin() + 1) % known.size()].name);
 }
 
@@ -61,13 +61,13 @@ bool pressKey(Session& session, Key key, const gl::Modifiers& with) {
             next(session, "tool", settings.tool, kTools);
             break;
         case 'M':
-            next(session, "mesh", settings.mesh, kDrawnMeshes);
+            next(session, "mesh", settings.mesh, render::kDrawnMeshes);
             break;
         case 'L':
-            next(session, "style", settings.style, kDrawStyles);
+            next(session, "style", settings.style, render::kDrawStyles);
             break;
         case 'C':
-            next(session, "colour", settings.colour, kWallColours);
+            next(session, "colour", settings.colour, render::kWallColours);
             break;
         case 'G':
             nextSolver(session);

@@ -28,7 +28,7 @@ class Controls {
     /// Where a button went down.
     struct Aim {
         Spot spot;
-        Vec3 direction;
+        core::Vec3 direction;
     };
 
     void move(Session&, const gl::InputEvent&);

@@ -7,10 +7,12 @@
 
 namespace sunder::view {
 
+using namespace core;
+
 EventLog::EventLog(const std::filesystem::path& path) : path_(path) {
     if (path.empty()) return;
     file_.emplace(path, std::ios::trunc);
-    if (!*file_) throw InputError("--log: cannot write '" + utf8FromPath(path) + "'");
+    if (!*file_) throw InputError("--log: cannot write '" + files::utf8FromPath(path) + "'");
 }
 
 void EventLog::add(const char* name, nlohmann::ordered_json fields) {
@@ -19,7 +21,7 @@ void EventLog::add(const char* name, nlohmann::ordered_json fields) {
     line.update(fields);
     *file_ << line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
     if (*file_) return;
-    std::cerr << "sunder: note: --log: '" << utf8FromPath(path_)
+    std::cerr << "sunder: note: --log: '" << files::utf8FromPath(path_)
               << "' cannot be written any more and ends here; is the disk full?\n";
     file_.reset();
 }

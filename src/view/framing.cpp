@@ -10,6 +10,9 @@
 #include "view/orbit_camera.hpp"
 
 namespace sunder::view {
+
+using namespace core;
+
 namespace {
 
 using Corners = std::array<Vec3, 8>;
@@ -87,16 +90,16 @@ double missing(const OrbitCamera& camera, const std::vector<Vec3>& places, doubl
 
 }  // namespace
 
-std::optional<double> groundClearance(const World& world, const CameraDescription& camera) {
-    const SceneBounds bounds = sceneBounds(world);
+std::optional<double> groundClearance(const World& world, const scene::CameraDescription& camera) {
+    const render::SceneBounds bounds = render::sceneBounds(world);
     if (!bounds.ground) return std::nullopt;
     constexpr double kLeast = 0.05;
     const double halfView = camera.fieldOfView * std::numbers::pi / 360;
     return std::max(kLeast, 1.5 * nearestPlane(bounds) / std::cos(halfView));
 }
 
-CameraDescription framed(const CameraDescription& home, const World& world, double aspect,
-                         bool composed) {
+scene::CameraDescription framed(const scene::CameraDescription& home, const World& world,
+                                double aspect, bool composed) {
     OrbitCamera camera(home, groundClearance(world, home));
     if (composed && aspect >= kComposedAspect) return camera.description();
     const std::vector<Vec3> places = toBeSeen(world, camera, composed);

@@ -8,11 +8,12 @@ namespace sunder::view {
 
 /// m, how far above the ground a camera's eye has to stay for all of its near plane to be above it,
 /// too. None: the world has no ground.
-std::optional<double> groundClearance(const World&, const CameraDescription&);
+std::optional<double> groundClearance(const core::World&, const scene::CameraDescription&);
 
 /// The camera, moved back along its view as far as it takes to see all walls and objects at their
 /// start in a picture of this width / height. `composed`: somebody chose what it shows of them, for
 /// a picture of 16 : 9; what that leaves out may be left out.
-CameraDescription framed(const CameraDescription&, const World&, double aspect, bool composed);
+scene::CameraDescription framed(const scene::CameraDescription&, const core::World&, double aspect,
+                                bool composed);
 
 }  // namespace sunder::view

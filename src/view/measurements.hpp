@@ -28,7 +28,7 @@ class History {
 struct Measurements {
     History frame, simulation, drawing, interface;        ///< ms
     std::vector<std::pair<std::string, History>> passes;  ///< ms in a frame, of a GPU's passes
-    Diagnostics diagnostics;
+    core::Diagnostics diagnostics;
     int breaks = 0, contacts = 0;  ///< incidents since the start
 
     double framesPerSecond() const;

@@ -6,6 +6,9 @@
 #include <numbers>
 
 namespace sunder::view {
+
+using namespace core;
+
 namespace {
 
 /// Just short of straight up or down, where "up" would flip.
@@ -14,7 +17,7 @@ constexpr double kNearest = 0.05, kFarthest = 1000;  // m
 
 }  // namespace
 
-void OrbitCamera::setHome(const CameraDescription& home, std::optional<double> clearance) {
+void OrbitCamera::setHome(const scene::CameraDescription& home, std::optional<double> clearance) {
     clearance_ = clearance;
     moved_ = false;
     target_ = home.target;
@@ -98,7 +101,7 @@ void OrbitCamera::keepAbove() {
     distance_ *= share;
 }
 
-CameraDescription OrbitCamera::description() const {
+scene::CameraDescription OrbitCamera::description() const {
     return {eye(), target_, fieldOfView_};
 }
 

@@ -11,12 +11,13 @@ namespace sunder::view {
 class OrbitCamera {
   public:
     /// `clearance`: of the eye above the ground; none: there is no ground.
-    explicit OrbitCamera(const CameraDescription& home, std::optional<double> clearance = {}) {
+    explicit OrbitCamera(const scene::CameraDescription& home,
+                         std::optional<double> clearance = {}) {
         setHome(home, clearance);
     }
 
     /// Goes there.
-    void setHome(const CameraDescription&, std::optional<double> clearance = {});
+    void setHome(const scene::CameraDescription&, std::optional<double> clearance = {});
     /// Of the world as it is from now on.
     void setClearance(std::optional<double>);
     /// Since setHome(), by one of the following.
@@ -32,16 +33,16 @@ class OrbitCamera {
     /// Moves camera and target, m: forward and right on the level, and up.
     void move(double forward, double right, double up);
 
-    CameraDescription description() const;
+    scene::CameraDescription description() const;
     /// Direction, of length 1, of what is seen at a place in the picture: x from −1 (left) to 1, y
     /// from −1 (bottom) to 1. `aspect` is width / height.
-    Vec3 ray(double x, double y, double aspect) const;
+    core::Vec3 ray(double x, double y, double aspect) const;
     /// The opposite: x and y of a place in the picture, and its depth, m, along the view; not
     /// positive behind the camera, where x and y mean nothing.
-    Vec3 project(const Vec3& place, double aspect) const;
+    core::Vec3 project(const core::Vec3& place, double aspect) const;
     /// m, to the right, up and ahead of the eye.
-    Vec3 inView(const Vec3& place) const;
-    Vec3 forward() const;  ///< of length 1
+    core::Vec3 inView(const core::Vec3& place) const;
+    core::Vec3 forward() const;  ///< of length 1
     double distance() const { return distance_; }
 
   private:
@@ -49,13 +50,13 @@ class OrbitCamera {
     void keepAbove();
     /// Pitch at which the eye is as low as it may be.
     double lowest() const;
-    Vec3 eye() const { return target_ - distance_ * forward(); }
-    Vec3 right() const;
-    Vec3 up() const { return right().cross(forward()); }
+    core::Vec3 eye() const { return target_ - distance_ * forward(); }
+    core::Vec3 right() const;
+    core::Vec3 up() const { return right().cross(forward()); }
 
     std::optional<double> clearance_;
     bool moved_ = false;
-    Vec3 target_{0, 0, 0};
+    core::Vec3 target_{0, 0, 0};
     double distance_ = 1, yaw_ = 0, pitch_ = 0, fieldOfView_ = 45;
 };
 

@@ -7,6 +7,9 @@
 #include <limits>
 
 namespace sunder::view {
+
+using namespace core;
+
 namespace {
 
 /// Distance along the ray at which it enters a triangle's plane inside the triangle, from either
@@ -55,7 +58,7 @@ void keep(std::optional<Spot>& nearest, const Spot& spot) {
 
 }  // namespace
 
-Picker::Picker(const World& world, const DisplayMesh& mesh)
+Picker::Picker(const World& world, const surface::DisplayMesh& mesh)
     : world_(world),
       mesh_(mesh),
       start_(world.cellCount() + 1, 0),
@@ -70,7 +73,7 @@ Picker::Picker(const World& world, const DisplayMesh& mesh)
     for (std::size_t i = 0; i < mesh.indices().size(); i += 3)
         triangles_[next[cellOf(i)]++] = static_cast<std::uint32_t>(i);
 
-    for (const DisplayVertex& vertex : mesh.vertices()) {
+    for (const surface::DisplayVertex& vertex : mesh.vertices()) {
         const int cell = static_cast<int>(vertex.cell);
         const Vec3 size = world.bodies()[world.bodyOf(cell)].cellSize;
         const Vec3 centre = world.restPosition(kCorners * cell) + size / 2;
@@ -111,9 +114,10 @@ void Picker::pickCell(const State& state, int cell, const Vec3& origin, const Ve
         std::array<Vec3, 3> corners;
         bool hidden = false;
         for (int i = 0; i < 3 && !hidden; ++i) {
-            const DisplayVertex& vertex = mesh_.vertices()[mesh_.indices()[triangles_[t] + i]];
-            hidden = displayHidden(state, vertex);
-            if (!hidden) corners[i] = displayedPosition(world_, state, vertex);
+            const surface::DisplayVertex& vertex =
+                mesh_.vertices()[mesh_.indices()[triangles_[t] + i]];
+            hidden = surface::displayHidden(state, vertex);
+            if (!hidden) corners[i] = surface::displayedPosition(world_, state, vertex);
         }
         if (hidden) continue;
         if (const auto distance =

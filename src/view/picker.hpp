@@ -2,16 +2,16 @@
 #include <optional>
 #include <vector>
 
-#include "core/display_mesh.hpp"
+#include "surface/display_mesh.hpp"
 
 namespace sunder::view {
 
 /// What a ray meets first.
 struct Spot {
-    Vec3 place{0, 0, 0};  ///< m
-    double distance = 0;  ///< m from the ray's origin
-    int cell = -1;        ///< whose section it is, or
-    int object = -1;      ///< which object
+    core::Vec3 place{0, 0, 0};  ///< m
+    double distance = 0;        ///< m from the ray's origin
+    int cell = -1;              ///< whose section it is, or
+    int object = -1;            ///< which object
 };
 
 /// Finds what is under the mouse, on the mesh that is seen as it is deformed now. On the CPU: only
@@ -19,19 +19,20 @@ struct Spot {
 class Picker {
   public:
     /// Both must outlive it.
-    Picker(const World&, const DisplayMesh&);
+    Picker(const core::World&, const surface::DisplayMesh&);
 
     /// `direction` has length 1.
-    std::optional<Spot> pick(const State&, const Vec3& origin, const Vec3& direction) const;
+    std::optional<Spot> pick(const core::State&, const core::Vec3& origin,
+                             const core::Vec3& direction) const;
 
   private:
-    void pickCell(const State&, int cell, const Vec3& origin, const Vec3& direction,
-                  std::optional<Spot>& nearest) const;
-    void pickObjects(const State&, const Vec3& origin, const Vec3& direction,
+    void pickCell(const core::State&, int cell, const core::Vec3& origin,
+                  const core::Vec3& direction, std::optional<Spot>& nearest) const;
+    void pickObjects(const core::State&, const core::Vec3& origin, const core::Vec3& direction,
                      std::optional<Spot>& nearest) const;
 
-    const World& world_;
-    const DisplayMesh& mesh_;
+    const core::World& world_;
+    const surface::DisplayMesh& mesh_;
     /// Triangles of a cell: first indices of them in the mesh, from start_[cell] to
     /// start_[cell + 1].
     std::vector<std::uint32_t> start_, triangles_;

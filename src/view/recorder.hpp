@@ -12,14 +12,14 @@ class Recorder {
     Recorder(const std::filesystem::path&, int width, int height);
 
     /// False, and the video is over, when the picture has another size than the first.
-    bool add(const Image&);
+    bool add(const image::Image&);
     /// As VideoFile::finishNumbered().
     std::filesystem::path finish() { return video_.finishNumbered(); }
     int frames() const { return frames_; }
 
   private:
     int width_, height_, frames_ = 0;  // even: video formats ask for it
-    VideoFile video_;
+    image::VideoFile video_;
 };
 
 }  // namespace sunder::view

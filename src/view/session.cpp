@@ -15,13 +15,16 @@
 #include "view/framing.hpp"
 
 namespace sunder::view {
+
+using namespace core;
+
 namespace {
 
 namespace fs = std::filesystem;
 /// NAME.toml in the folder, or NAME where it is a path already. Throws InputError.
 fs::path tomlPath(const fs::path& folder, const std::string& name) {
     if (name.empty()) throw InputError("give a name to save it under");
-    fs::path path = pathFromUtf8(name);
+    fs::path path = files::pathFromUtf8(name);
     if (path.extension() != ".toml") path += ".toml";
     return path.is_absolute() ? path : folder / path;
 }
@@ -33,10 +36,10 @@ Session::Session(gl::Window& shown, const Options& options, Settings remembered)
       settings(std::move(remembered)),
       log(options.log),
       clock(1.0 / 3000),
-      camera(CameraDescription{}),
+      camera(scene::CameraDescription{}),
       folder(options.folder),
-      opened_(loadScene(options.scene)) {
-    if (!options.solver.empty()) settings.solver = findSolver(options.solver).name;
+      opened_(scene::loadScene(options.scene)) {
+    if (!options.solver.empty()) settings.solver = sim::findSolver(options.solver).name;
     const auto start = Instant::now();
     stage = newStage(opened_, nullptr, nullptr);
     buildTime_ = secondsSince(start);
@@ -68,7 +71,8 @@ bool Session::attempt(Action&& action) {
     return false;
 }
 
-std::unique_ptr<Stage> Session::newStage(Scene scene, const State* state, const Stage* like) {
+std::unique_ptr<Stage> Session::newStage(scene::Scene scene, const State* state,
+                                         const Stage* like) {
     auto next =
         std::make_unique<Stage>(std::move(scene), settings.solver, settings.sceneHits, state, like);
     // Where nothing has happened yet, what is changed was so from the start.
@@ -77,7 +81,7 @@ std::unique_ptr<Stage> Session::newStage(Scene scene, const State* state, const 
     return next;
 }
 
-bool Session::rebuild(Scene scene, const State* state) {
+bool Session::rebuild(scene::Scene scene, const State* state) {
     const auto start = Instant::now();
     const bool built = attempt([&] {
         auto next = newStage(std::move(scene), state, stage.get());
@@ -111,9 +115,9 @@ void Session::sayCompromises() {
 }
 
 void Session::openScene(const std::string& nameOrPath) {
-    Scene scene;
-    if (!attempt([&] { scene = loadScene(nameOrPath); })) return;
-    const Scene previous = std::exchange(opened_, scene);
+    scene::Scene scene;
+    if (!attempt([&] { scene = scene::loadScene(nameOrPath); })) return;
+    const scene::Scene previous = std::exchange(opened_, scene);
     if (!rebuild(std::move(scene), nullptr)) {
         opened_ = previous;
         return;
@@ -122,12 +126,12 @@ void Session::openScene(const std::string& nameOrPath) {
     log.add("scene", {{"value", opened_.name}});
 }
 
-void Session::buildScene(Scene scene, const char* why) {
+void Session::buildScene(scene::Scene scene, const char* why) {
     if (rebuild(std::move(scene), nullptr)) log.add(why);
 }
 
 void Session::setMaterial(int index, const Material& material) {
-    Scene changedScene = scene();
+    scene::Scene changedScene = scene();
     const std::string name = material.name;
     changedScene.world.materials[index] = material;
     const State state = stage->simulation.state();
@@ -136,7 +140,7 @@ void Session::setMaterial(int index, const Material& material) {
 }
 
 void Session::newSeed() {
-    Scene next = scene();
+    scene::Scene next = scene();
     // 63 bits: what a scene file may hold.
     next.world.seed = (next.world.seed + 1) & std::numeric_limits<std::int64_t>::max();
     const std::uint64_t seed = next.world.seed;
@@ -147,13 +151,13 @@ void Session::newSeed() {
 
 bool Session::save(const fs::path& path, std::string_view bytes) {
     if (ownFiles_.count(path)) {
-        writeFile(path, bytes);
+        files::writeFile(path, bytes);
         return true;
     }
-    const bool written = writeNewFile(path, bytes);
+    const bool written = files::writeNewFile(path, bytes);
     ownFiles_.insert(path);
     if (written) return true;
-    say(utf8FromPath(path) + " is there already; save again to replace it", true);
+    say(files::utf8FromPath(path) + " is there already; save again to replace it", true);
     return false;
 }
 
@@ -164,20 +168,21 @@ fs::path Session::unnumbered(const char* ending) const {
 void Session::saveScene(const std::string& name) {
     attempt([&] {
         const fs::path path = tomlPath(folder, name);
-        Scene saved = scene();
+        scene::Scene saved = scene();
         saved.camera = camera.description();
-        if (!save(path, writeScene(saved))) return;
-        say("Saved; run it with: sunder run " + utf8FromPath(path));
-        log.add("saved_scene", {{"path", utf8FromPath(path)}});
+        if (!save(path, scene::writeScene(saved))) return;
+        say("Saved; run it with: sunder run " + files::utf8FromPath(path));
+        log.add("saved_scene", {{"path", files::utf8FromPath(path)}});
     });
 }
 
 void Session::saveMaterial(int index, const std::string& name) {
     attempt([&] {
         const fs::path path = tomlPath(folder, name);
-        if (!save(path, writeMaterial(scene().world.materials[index]))) return;
-        say("Saved; a scene uses it by: material = \"" + utf8FromPath(path.filename()) + "\"");
-        log.add("saved_material", {{"path", utf8FromPath(path)}});
+        if (!save(path, scene::writeMaterial(scene().world.materials[index]))) return;
+        say("Saved; a scene uses it by: material = \"" + files::utf8FromPath(path.filename()) +
+            "\"");
+        log.add("saved_material", {{"path", files::utf8FromPath(path)}});
     });
 }
 
@@ -312,17 +317,19 @@ void Session::hitPreset(int number) {
     hit(spot, direction, kTap);
 }
 
-void Session::addLegend(Image& picture) const {
-    if (settings.colour != WallColour::Material) drawLegend(picture, stage->colours.key());
+void Session::addLegend(image::Image& picture) const {
+    if (settings.colour != render::WallColour::Material)
+        render::drawLegend(picture, stage->colours.key());
 }
 
-void Session::savePicture(Image picture) {
+void Session::savePicture(image::Image picture) {
     pictureWanted_ = false;
     attempt([&] {
         addLegend(picture);
-        const fs::path path = writeNumberedFile(unnumbered(".png"), encodePng(picture));
-        say("Picture saved: " + utf8FromPath(path));
-        log.add("picture", {{"path", utf8FromPath(path)}});
+        const fs::path path =
+            files::writeNumberedFile(unnumbered(".png"), image::encodePng(picture));
+        say("Picture saved: " + files::utf8FromPath(path));
+        log.add("picture", {{"path", files::utf8FromPath(path)}});
     });
 }
 
@@ -334,7 +341,7 @@ void Session::toggleRecording() {
     attempt([&] {
         recorder_.emplace(unnumbered(".mp4"), area.width, area.height);
         clock.setFixed(true);
-        log.add("recording", {{"folder", utf8FromPath(folder)}});
+        log.add("recording", {{"folder", files::utf8FromPath(folder)}});
     });
 }
 
@@ -353,13 +360,13 @@ void Session::dropRecorder() {
 
 std::string Session::finishRecording() {
     const int frames = recorder_->frames();
-    const std::string path = frames > 0 ? utf8FromPath(recorder_->finish()) : "";
+    const std::string path = frames > 0 ? files::utf8FromPath(recorder_->finish()) : "";
     log.add("video", {{"path", path}, {"frames", frames}});
     if (frames == 0) return "No picture was recorded, so there is no video";
     return path.empty() ? "The video was given up" : "Video saved: " + path;
 }
 
-void Session::record(Image picture) {
+void Session::record(image::Image picture) {
     try {
         addLegend(picture);
         if (recorder_->add(picture)) return;
@@ -378,8 +385,8 @@ void Session::tryShaders() {
     clock.skip();
     try {
         auto next = newStage(scene(), &state, nullptr);  // textures are made by shaders, too
-        for (const DrawnMesh mesh : kDrawnMeshes)
-            for (const DrawStyle style : kDrawStyles) next->rehearse(mesh, style);
+        for (const render::DrawnMesh mesh : render::kDrawnMeshes)
+            for (const render::DrawStyle style : render::kDrawStyles) next->rehearse(mesh, style);
         next->colours.continueScales(stage->colours);
         stage = std::move(next);
         soundShaders_ = source;

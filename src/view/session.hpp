@@ -50,15 +50,15 @@ class Session {
     // --- scene and material ---
     void openScene(const std::string& nameOrPath);
     /// The scene with these changes, from its start.
-    void buildScene(Scene scene, const char* why);
+    void buildScene(scene::Scene scene, const char* why);
     /// Another material in place of one of the scene's. The state is kept.
-    void setMaterial(int index, const Material&);
+    void setMaterial(int index, const core::Material&);
     void newSeed();
     void saveScene(const std::string& name);
     void saveMaterial(int index, const std::string& name);
     /// As it was when the scene was opened.
-    const Scene& openedScene() const { return opened_; }
-    const Scene& scene() const { return stage->simulation.scene(); }
+    const scene::Scene& openedScene() const { return opened_; }
+    const scene::Scene& scene() const { return stage->simulation.scene(); }
     /// s that the last change of the world took.
     double buildTime() const { return buildTime_; }
     /// Another number for each stage.
@@ -89,9 +89,9 @@ class Session {
 
     // --- hits ---
     /// Direction of what is at a place of the window.
-    Vec3 rayAt(double x, double y) const;
+    core::Vec3 rayAt(double x, double y) const;
     /// What the tool does at a spot, for `seconds` of simulated time where it goes on.
-    void hit(const Spot&, const Vec3& direction, double seconds);
+    void hit(const Spot&, const core::Vec3& direction, double seconds);
     /// Reads the stress of what is there.
     void look(const Spot&);
     /// 1 to 9, as on a keypad: the bodies' lower left to their upper right.
@@ -101,13 +101,13 @@ class Session {
     // --- pictures ---
     void takePicture() { pictureWanted_ = true; }
     bool pictureWanted() const { return pictureWanted_; }
-    void savePicture(Image);
+    void savePicture(image::Image);
     void toggleRecording();
     /// Says what has become of the video, and returns it.
     std::string endRecording();
     bool recording() const { return recorder_.has_value(); }
     const Recorder& recorder() const { return *recorder_; }
-    void record(Image);
+    void record(image::Image);
 
     /// Builds everything again when a shader changed.
     void watchShaders();
@@ -143,15 +143,15 @@ class Session {
     template <class Action>
     bool attempt(Action&&);
     /// Replaces the stage, or says why not.
-    bool rebuild(Scene, const State*);
-    std::unique_ptr<Stage> newStage(Scene, const State*, const Stage* like);
+    bool rebuild(scene::Scene, const core::State*);
+    std::unique_ptr<Stage> newStage(scene::Scene, const core::State*, const Stage* like);
     /// Says what the wall that stands now is not as its scene has it.
     void sayCompromises();
     /// Whether the file was written: it is new, or was written before, or is asked for again.
     bool save(const std::filesystem::path&, std::string_view bytes);
     /// Where pictures and videos of the scene go, less a number.
     std::filesystem::path unnumbered(const char* ending) const;
-    void addLegend(Image&) const;
+    void addLegend(image::Image&) const;
     /// Moves the video to its name. Returns what has become of it. Throws InputError.
     std::string finishRecording();
     void dropRecorder();
@@ -161,7 +161,7 @@ class Session {
     /// Whether the scene's file has its camera for the walls as they are.
     bool composed() const;
 
-    Scene opened_;
+    scene::Scene opened_;
     double buildTime_ = 0;
     int generation_ = 0, layout_ = 0;
     std::array<int, 3> homeFor_{};  ///< width and height of the view, and layout

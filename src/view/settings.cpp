@@ -2,21 +2,24 @@
 
 #include <iterator>
 
-#include "balance/solver_factory.hpp"
 #include "files/system.hpp"
 #include "files/utf8_path.hpp"
 #include "files/write_file.hpp"
 #include "scene/table_reader.hpp"
 #include "scene/toml_file.hpp"
 #include "scene/wording.hpp"
+#include "sim/solver_factory.hpp"
 
 namespace sunder::view {
+
+using namespace core;
+
 namespace {
 
 namespace fs = std::filesystem;
 
 template <class Choice, std::size_t Count>
-void readChoice(const TableReader& reader, std::string_view key, Choice& value,
+void readChoice(const scene::TableReader& reader, std::string_view key, Choice& value,
                 const Choice (&choices)[Count]) {
     std::vector<std::string_view> names;
     for (const Choice choice : choices) names.push_back(toString(choice));
@@ -44,7 +47,7 @@ std::string_view toString(Tool tool) {
 }
 
 fs::path settingsFile() {
-    const fs::path folder = settingsFolder();
+    const fs::path folder = files::settingsFolder();
     return folder.empty() ? folder : folder / "sunder" / "viewer.toml";
 }
 
@@ -52,17 +55,18 @@ Settings readSettings(const fs::path& path) {
     Settings settings;
     std::error_code error;
     if (path.empty() || !fs::exists(path, error)) return settings;
-    const toml::table document = parseToml(readTextFile(path), utf8FromPath(path));
-    const TableReader reader(
-        document, utf8FromPath(path), "the settings",
+    const toml::table document =
+        scene::parseToml(scene::readTextFile(path), files::utf8FromPath(path));
+    const scene::TableReader reader(
+        document, files::utf8FromPath(path), "the settings",
         {"solver", "mesh", "style", "colour", "samples", "vsync", "full_screen", "tool", "shot",
          "push", "radius", "scene_hits", "interface_scale", "panel", "width", "height"});
     std::vector<std::string_view> names;
-    for (const SolverInfo& solver : solvers()) names.push_back(solver.name);
+    for (const sim::SolverInfo& solver : sim::solvers()) names.push_back(solver.name);
     if (const auto index = reader.readChoice("solver", names)) settings.solver = names[*index];
-    readChoice(reader, "mesh", settings.mesh, kDrawnMeshes);
-    readChoice(reader, "style", settings.style, kDrawStyles);
-    readChoice(reader, "colour", settings.colour, kWallColours);
+    readChoice(reader, "mesh", settings.mesh, render::kDrawnMeshes);
+    readChoice(reader, "style", settings.style, render::kDrawStyles);
+    readChoice(reader, "colour", settings.colour, render::kWallColours);
     readChoice(reader, "tool", settings.tool, kTools);
     reader.read("samples", settings.samples, {1, 8});
     reader.read("vsync", settings.vsync);
@@ -83,7 +87,7 @@ void writeSettings(const fs::path& path, const Settings& settings) {
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
     if (error)
-        throw InputError("cannot make the folder '" + utf8FromPath(path.parent_path()) +
+        throw InputError("cannot make the folder '" + files::utf8FromPath(path.parent_path()) +
                          "': " + error.message());
     const std::pair<const char*, std::string> lines[] = {
         {"solver", inToml(settings.solver)},
@@ -94,18 +98,18 @@ void writeSettings(const fs::path& path, const Settings& settings) {
         {"vsync", settings.vsync ? "true" : "false"},
         {"full_screen", settings.fullScreen ? "true" : "false"},
         {"tool", inToml(toString(settings.tool))},
-        {"shot", formatNumber(settings.shot)},
-        {"push", formatNumber(settings.push)},
-        {"radius", formatNumber(settings.radius)},
+        {"shot", scene::formatNumber(settings.shot)},
+        {"push", scene::formatNumber(settings.push)},
+        {"radius", scene::formatNumber(settings.radius)},
         {"scene_hits", settings.sceneHits ? "true" : "false"},
-        {"interface_scale", formatNumber(settings.interfaceScale)},
+        {"interface_scale", scene::formatNumber(settings.interfaceScale)},
         {"panel", settings.panel ? "true" : "false"},
         {"width", std::to_string(settings.width)},
         {"height", std::to_string(settings.height)},
     };
     std::string text = "# What `sunder view` remembers; it may be deleted.\n";
     for (const auto& [key, value] : lines) text += std::string(key) + " = " + value + "\n";
-    writeFile(path, text);
+    files::writeFile(path, text);
 }
 
 }  // namespace sunder::view

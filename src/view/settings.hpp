@@ -14,9 +14,9 @@ std::string_view toString(Tool);
 /// What the viewer remembers between runs.
 struct Settings {
     std::string solver = "gather";
-    DrawnMesh mesh = DrawnMesh::Display;
-    DrawStyle style = DrawStyle::Solid;
-    WallColour colour = WallColour::Material;
+    render::DrawnMesh mesh = render::DrawnMesh::Display;
+    render::DrawStyle style = render::DrawStyle::Solid;
+    render::WallColour colour = render::WallColour::Material;
     int samples = 4;  ///< 1, 2, 4 or 8
     bool vsync = true, fullScreen = false;
     Tool tool = Tool::Shoot;

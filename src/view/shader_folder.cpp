@@ -12,12 +12,14 @@
 
 namespace sunder::view {
 
+using namespace core;
+
 namespace fs = std::filesystem;
 
 ShaderFolder::ShaderFolder(fs::path folder) : folder_(std::move(folder)) {
     std::error_code error;
     if (!fs::is_directory(folder_ / "draw", error))
-        throw InputError("--shader-dir: '" + utf8FromPath(folder_) +
+        throw InputError("--shader-dir: '" + files::utf8FromPath(folder_) +
                          "' is no folder of shaders; name a copy of Sunder's glsl/, which has a "
                          "folder draw in it");
     stamp_ = stamp();
@@ -41,7 +43,7 @@ gl::ShaderSource ShaderFolder::source() const {
     eachFile([&](const fs::directory_entry& entry) {
         std::ifstream file(entry.path(), std::ios::binary);
         if (!file) return;
-        (*texts)[utf8FromPath(entry.path().lexically_relative(folder_))] =
+        (*texts)[files::utf8FromPath(entry.path().lexically_relative(folder_))] =
             std::string(std::istreambuf_iterator<char>(file), {});
     });
     return [texts](std::string_view name) -> std::optional<std::string> {

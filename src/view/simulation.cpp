@@ -4,6 +4,9 @@
 #include "gpu/pass_timer.hpp"
 
 namespace sunder::view {
+
+using namespace core;
+
 namespace {
 
 WorldDescription played(WorldDescription world, bool hits) {
@@ -34,18 +37,18 @@ void apply(const Push& push, const World& world, State& state, std::set<int>& bo
     }
 }
 
-Simulation::Simulation(Scene scene, const std::string& solver, bool hits, const State* state)
+Simulation::Simulation(scene::Scene scene, const std::string& solver, bool hits, const State* state)
     : scene_(std::move(scene)), world_(played(scene_.world, hits)), buffers_(world_) {
-    const SolverInfo& info = findSolver(solver);
-    auto made = makeSolver(info, world_, &buffers_);
+    const sim::SolverInfo& info = sim::findSolver(solver);
+    auto made = sim::makeSolver(info, world_, &buffers_);
     made->setState(state ? *state : start().state);
     atStart_ = !state;
     stepsDone_ = state ? state->step : 0;
     adopt(std::move(made), info);
 }
 
-void Simulation::adopt(std::unique_ptr<Solver> solver, const SolverInfo& info) {
-    auto view = std::make_unique<SolverView>(world_, *solver);
+void Simulation::adopt(std::unique_ptr<Solver> solver, const sim::SolverInfo& info) {
+    auto view = std::make_unique<sim::SolverView>(world_, *solver);
     solver->setIncidents(&incidents_);
     view_ = std::move(view);
     solver_ = std::move(solver);
@@ -54,8 +57,8 @@ void Simulation::adopt(std::unique_ptr<Solver> solver, const SolverInfo& info) {
 }
 
 void Simulation::setSolver(const std::string& name) {
-    const SolverInfo& info = findSolver(name);
-    auto next = makeSolver(info, world_, &buffers_);
+    const sim::SolverInfo& info = sim::findSolver(name);
+    auto next = sim::makeSolver(info, world_, &buffers_);
     next->setState(state());
     adopt(std::move(next), info);
 }
@@ -67,8 +70,8 @@ void Simulation::restart() {
     state_.reset();
 }
 
-const Start& Simulation::start() {
-    if (!start_) start_ = settledStart(world_);
+const cpu::Start& Simulation::start() {
+    if (!start_) start_ = cpu::settledStart(world_);
     return *start_;
 }
 

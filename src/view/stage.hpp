@@ -13,21 +13,22 @@ class Stage {
   public:
     /// `like`: another one, with which it shares what it can. Throws InputError for a scene that
     /// cannot be laid out or drawn.
-    Stage(Scene scene, const std::string& solver, bool hits, const State* state, const Stage* like)
+    Stage(scene::Scene scene, const std::string& solver, bool hits, const core::State* state,
+          const Stage* like)
         : simulation(std::move(scene), solver, hits, state),
           renderer(simulation.world(), simulation.buffers(), like ? &like->renderer : nullptr),
           colours(simulation.world()),
           picker_(simulation.world(), renderer.displayMesh()) {}
 
     /// What is under a ray.
-    std::optional<Spot> pick(const Vec3& origin, const Vec3& direction) {
+    std::optional<Spot> pick(const core::Vec3& origin, const core::Vec3& direction) {
         return picker_.pick(simulation.state(), origin, direction);
     }
 
     /// Draws a small picture: some programs are made when they are first used, and what is wrong
     /// with one has to show before this stage is the one that goes on.
-    void rehearse(DrawnMesh mesh, DrawStyle style) {
-        RenderSettings small;
+    void rehearse(render::DrawnMesh mesh, render::DrawStyle style) {
+        render::RenderSettings small;
         small.width = small.height = 16;
         small.mesh = mesh;
         small.style = style;
@@ -35,8 +36,8 @@ class Stage {
     }
 
     Simulation simulation;
-    Renderer renderer;
-    CellColours colours;
+    render::Renderer renderer;
+    render::CellColours colours;
 
   private:
     Picker picker_;

@@ -14,6 +14,9 @@
 #include "view/panels/panels.hpp"
 
 namespace sunder::view {
+
+using namespace core;
+
 namespace {
 
 class Viewer {
@@ -23,7 +26,7 @@ class Viewer {
 
     /// Returns the signal that ended it, or 0.
     int run() {
-        HeldSignals held;
+        files::HeldSignals held;
         session_.clock.skip();  // windows take their time to open
         try {
             goOn();
@@ -34,7 +37,7 @@ class Viewer {
         const std::string recording = remember();
         session_.stage.reset();
         session_.log.add("closed", {{"frames", frames_}, {"gl_bytes_left", gl::allocatedBytes()}});
-        const int signal = notedSignal();
+        const int signal = files::notedSignal();
         if (signal)
             std::cerr << "sunder: interrupted" << (recording.empty() ? recording : ": " + recording)
                       << '\n';
@@ -46,7 +49,7 @@ class Viewer {
   private:
     void goOn() {
         auto last = Instant::now();
-        while (!window_.closing() && !notedSignal()) {
+        while (!window_.closing() && !files::notedSignal()) {
             // Nothing moves while it is paused, so a frame then waits for what the user does.
             constexpr double kFrame = 1.0 / 60;
             const bool still = session_.clock.paused();
@@ -198,13 +201,13 @@ class Viewer {
         const auto start = Instant::now();
         Stage& stage = *session_.stage;
         const Settings& settings = session_.settings;
-        RenderSettings render;
+        render::RenderSettings render;
         render.width = session_.area.width;
         render.height = session_.area.height;
         render.samples = settings.samples;
         render.mesh = settings.mesh;
         render.style = settings.style;
-        if (settings.colour != WallColour::Material) {
+        if (settings.colour != render::WallColour::Material) {
             stage.colours.update(stage.simulation.state(), settings.colour);
             render.colours = &stage.colours;
         }
@@ -244,11 +247,11 @@ class Viewer {
     void writeStatus() {
         const Settings& settings = session_.settings;
         const Measurements& m = session_.measurements;
-        const Scene& scene = session_.scene();
+        const scene::Scene& scene = session_.scene();
         nlohmann::ordered_json materials = nlohmann::ordered_json::array();
         for (const Material& material : scene.world.materials) materials.push_back(material.name);
         const ViewArea& area = session_.area;
-        const CameraDescription camera = session_.camera.description();
+        const scene::CameraDescription camera = session_.camera.description();
         const Vec3 &eye = camera.position, &target = camera.target;
         session_.log.add(
             "status",
@@ -333,9 +336,9 @@ int view(const Options& options) {
         settings.height = options.height;
         settings.fullScreen = false;
     }
-    if (!options.solver.empty()) findSolver(options.solver);
+    if (!options.solver.empty()) sim::findSolver(options.solver);
     // What is wrong is a sentence, not a window that vanishes.
-    startOverlaps(loadScene(options.scene).world);
+    startOverlaps(scene::loadScene(options.scene).world);
     if (!options.shaders.empty()) ShaderFolder check(options.shaders);
     gl::Window::Options shown;
     shown.title = "Sunder";

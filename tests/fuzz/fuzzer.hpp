@@ -16,7 +16,7 @@ inline std::string_view text(const std::uint8_t* data, std::size_t size) {
 }
 
 /// What a user is told is one line of readable length, whatever the input was.
-inline void checkSentence(const sunder::InputError& error) {
+inline void checkSentence(const sunder::core::InputError& error) {
     const std::string_view said = error.what();
     for (const char c : said)
         if (static_cast<unsigned char>(c) < 0x20) std::abort();

@@ -5,16 +5,17 @@
 #include "scene/scene_writer.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     Material material;
     try {
-        material = parseMaterial(fuzz::text(data, size), "fuzz.toml");
+        material = scene::parseMaterial(fuzz::text(data, size), "fuzz.toml");
     } catch (const InputError& error) {
         fuzz::checkSentence(error);
         return 0;
     }
-    const std::string written = writeMaterial(material);
-    if (writeMaterial(parseMaterial(written, "fuzz.toml")) != written) std::abort();
+    const std::string written = scene::writeMaterial(material);
+    if (scene::writeMaterial(scene::parseMaterial(written, "fuzz.toml")) != written) std::abort();
     return 0;
 }

@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
     for (int i = 1; i < argc; ++i)
         for (const auto& entry : std::filesystem::directory_iterator(argv[i])) {
             // Before, so that the last line names the file of a crash.
-            std::cout << sunder::utf8FromPath(entry.path()) << std::endl;
+            std::cout << sunder::files::utf8FromPath(entry.path()) << std::endl;
             std::ifstream file(entry.path(), std::ios::binary);
             // A vector of exactly this size: a byte read beyond it is found by a sanitizer.
             const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};

@@ -1,13 +1,14 @@
 // Scene files: refused in a sentence, or laid out, simulated for a few steps and written back.
 #include "core/diagnostics.hpp"
-#include "core/display_mesh.hpp"
-#include "core/vtu.hpp"
 #include "cpu/cpu_solver.hpp"
 #include "fuzz/fuzzer.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_writer.hpp"
+#include "scene/vtu.hpp"
+#include "surface/display_mesh.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -24,26 +25,26 @@ bool small(const WorldDescription& world) {
 
 void simulate(const WorldDescription& description) {
     const World world(description);
-    CpuSolver solver(world, 1);
+    cpu::CpuSolver solver(world, 1);
     solver.advance(40);  // a search for contacts is among them
     const State state = solver.state();
     diagnose(world, state);
-    toVtu(world, state);
-    DisplayMesh mesh(world, 100'000);
+    scene::toVtu(world, state);
+    surface::DisplayMesh mesh(world, 100'000);
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    Scene scene;
+    scene::Scene scene;
     try {
-        scene = parseScene(fuzz::text(data, size), "fuzz.toml", {});
+        scene = scene::parseScene(fuzz::text(data, size), "fuzz.toml", {});
     } catch (const InputError& error) {
         fuzz::checkSentence(error);
         return 0;
     }
     // Nothing refuses what Sunder itself wrote.
-    parseScene(writeScene(scene), "written.toml", {});
+    scene::parseScene(scene::writeScene(scene), "written.toml", {});
     if (!small(scene.world)) return 0;
     try {
         simulate(scene.world);

@@ -10,6 +10,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -77,13 +78,13 @@ TEST_CASE("a body that moves there and back while it breaks is the same to the b
     const gpu::WorldBuffers buffers(world);
     {
         INFO("cpu, gather, cpu");
-        CpuSolver cpu(world, 2), stays(world, 1);
+        cpu::CpuSolver cpu(world, 2), stays(world, 1);
         gpu::GatherSolver gather(world, buffers);
         checkRoundTrip(world, cpu, gather, stays);
     }
     {
         INFO("gather, cpu, gather");
-        CpuSolver cpu(world, 2);
+        cpu::CpuSolver cpu(world, 2);
         gpu::GatherSolver gather(world, buffers), stays(world, buffers);
         checkRoundTrip(world, gather, cpu, stays);
     }
@@ -94,7 +95,7 @@ TEST_CASE("a solver leaves a body it does not hold alone") {
     testContext();
     const World world(breakingWalls());
     const gpu::WorldBuffers buffers(world);
-    CpuSolver cpu(world);
+    cpu::CpuSolver cpu(world);
     gpu::GatherSolver gather(world, buffers);
     State fromCpu = world.initialState(), fromGather = fromCpu;
     gather.release({0, 2}, fromGather);
@@ -102,7 +103,7 @@ TEST_CASE("a solver leaves a body it does not hold alone") {
     cpu.advance(60);
     gather.advance(60);
     const State parts[] = {cpu.state(), gather.state(), cpu.state()};
-    CpuSolver all(world);
+    cpu::CpuSolver all(world);
     all.advance(60);
     const State expected = all.state();
     for (int index = 0; index < 3; ++index) {
@@ -122,20 +123,20 @@ TEST_CASE("auto finds its share, keeps it, and draws what the CPU holds") {
     testContext();
     const World world(breakingWalls());
     const gpu::WorldBuffers buffers(world);
-    BalancedSolver solver(world, buffers);
+    balance::BalancedSolver solver(world, buffers);
     for (int frame = 0; frame < 200 && !solver.settled(); ++frame) solver.advance(4);
     REQUIRE(solver.settled());
     const State state = solver.state();
     CHECK(diagnose(world, state).bondsBroken > 20);
     CHECK(diagnose(world, state).nan == 0);
-    Renderer renderer(world, buffers);
+    render::Renderer renderer(world, buffers);
     gpu::StateUpload upload(world);
-    CameraDescription camera;
+    scene::CameraDescription camera;
     camera.position = {2, 1, 6};
     camera.target = {2, 0.3, 0};
-    const RenderSettings small{.width = 320, .height = 180};
-    const Image drawn = renderer.draw(solver.view(), camera, small);
-    const Image expected = renderer.draw(upload.upload(state), camera, small);
+    const render::RenderSettings small{.width = 320, .height = 180};
+    const image::Image drawn = renderer.draw(solver.view(), camera, small);
+    const image::Image expected = renderer.draw(upload.upload(state), camera, small);
     CHECK(drawn.pixels == expected.pixels);
     testContext().check();
 }

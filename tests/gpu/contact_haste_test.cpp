@@ -6,6 +6,7 @@
 #include "support/touching_worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 

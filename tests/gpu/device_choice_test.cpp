@@ -16,6 +16,7 @@
 #endif
 
 using namespace sunder;
+using namespace sunder::core;
 using namespace sunder::gl;
 
 namespace {

@@ -7,6 +7,7 @@
 #include "gpu/texel_target.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 TEST_CASE("a world larger than the device's textures is refused before anything is allocated") {
     const std::int64_t most = testContext().info().maxTextureSize;

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "catch.hpp"
-#include "core/display_mesh.hpp"
 #include "cpu/cpu_solver.hpp"
 #include "gl/program.hpp"
 #include "gpu/pictures.hpp"
@@ -14,15 +13,17 @@
 #include "render/picture_target.hpp"
 #include "scene/scene.hpp"
 #include "support/worlds.hpp"
+#include "surface/display_mesh.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
 /// A wall of a preset's material, hit in the middle.
 WorldDescription presetWall(const std::string& material, double speed) {
     WorldDescription description;
-    description.materials = {loadMaterial(material)};
+    description.materials = {scene::loadMaterial(material)};
     BodyDescription wall;
     wall.name = "wall";
     wall.size = {1.6, 1.2, 0.1};
@@ -37,7 +38,7 @@ WorldDescription presetWall(const std::string& material, double speed) {
 }
 
 State afterFrames(const World& world, int frames) {
-    CpuSolver solver(world, 2);
+    cpu::CpuSolver solver(world, 2);
     solver.advance(50 * frames);
     return solver.state();
 }
@@ -58,16 +59,17 @@ struct Moved {
     glm::vec3 position, normal;
 };
 
-std::vector<Moved> movedVertices(const World& world, const State& state, const DisplayMesh& mesh) {
+std::vector<Moved> movedVertices(const World& world, const State& state,
+                                 const surface::DisplayMesh& mesh) {
     testContext();
     const gpu::WorldBuffers buffers(world);
     gpu::StateUpload upload(world);
     const gpu::StateView view = upload.upload(state);
-    const DisplayBuffers meshBuffers(mesh);
+    const render::DisplayBuffers meshBuffers(mesh);
     const gl::Buffer captured(sizeof(Moved) * mesh.vertices().size(), nullptr, GL_STATIC_READ,
                               "positions");
-    const DisplayPass pass(DisplayPass::Output::Captured, buffers, meshBuffers);
-    const PictureTarget target(16, 16, 1);  // drawing wants one bound, even to discard
+    const render::DisplayPass pass(render::DisplayPass::Output::Captured, buffers, meshBuffers);
+    const render::PictureTarget target(16, 16, 1);  // drawing wants one bound, even to discard
     target.begin(glm::vec3(0));
     pass.begin();
     glEnable(GL_RASTERIZER_DISCARD);
@@ -82,9 +84,9 @@ std::vector<Moved> movedVertices(const World& world, const State& state, const D
     return result;
 }
 
-Image cutOut(Painter& painter, const State& state, const CameraDescription& camera,
-             const glm::vec3& background, DrawnMesh mesh) {
-    RenderSettings settings;
+image::Image cutOut(Painter& painter, const State& state, const scene::CameraDescription& camera,
+                    const glm::vec3& background, render::DrawnMesh mesh) {
+    render::RenderSettings settings;
     settings.mesh = mesh;
     settings.background = background;
     return painter.picture(state, camera, settings);
@@ -93,9 +95,9 @@ Image cutOut(Painter& painter, const State& state, const CameraDescription& came
 /// Per pixel: whether anything of the background shows in any sample. Two backgrounds tell, however
 /// the wall is coloured.
 std::vector<bool> backgroundShows(Painter& painter, const State& state,
-                                  const CameraDescription& camera, DrawnMesh mesh) {
-    const Image a = cutOut(painter, state, camera, {1, 0, 1}, mesh);
-    const Image b = cutOut(painter, state, camera, {0, 1, 0}, mesh);
+                                  const scene::CameraDescription& camera, render::DrawnMesh mesh) {
+    const image::Image a = cutOut(painter, state, camera, {1, 0, 1}, mesh);
+    const image::Image b = cutOut(painter, state, camera, {0, 1, 0}, mesh);
     std::vector<bool> shows;
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) shows.push_back(difference(a, b, x, y) > 0);
@@ -104,10 +106,12 @@ std::vector<bool> backgroundShows(Painter& painter, const State& state,
 
 /// Pixels through which the display mesh shows the background well inside of the simulation mesh's
 /// outline: none of the pixels around them shows it there.
-int holes(Painter& painter, const State& state, const CameraDescription& camera, int& inside) {
+int holes(Painter& painter, const State& state, const scene::CameraDescription& camera,
+          int& inside) {
     const std::vector<bool> simulation =
-        backgroundShows(painter, state, camera, DrawnMesh::Simulation);
-    const std::vector<bool> display = backgroundShows(painter, state, camera, DrawnMesh::Display);
+        backgroundShows(painter, state, camera, render::DrawnMesh::Simulation);
+    const std::vector<bool> display =
+        backgroundShows(painter, state, camera, render::DrawnMesh::Display);
     int count = 0;
     inside = 0;
     for (int y = 2; y < kHeight - 2; ++y)
@@ -132,7 +136,7 @@ TEST_CASE("displayed positions are those of the barycentric coordinates, on a be
     for (const char* material : {"wood", "concrete", "brick"}) {
         CAPTURE(material);
         const World world(presetWall(material, 40));
-        const DisplayMesh mesh(world);
+        const surface::DisplayMesh mesh(world);
         State state = afterFrames(world, 12);
         const State bend = bent(world, 0.2);
         for (int node = 0; node < world.nodeCount(); ++node)
@@ -145,15 +149,16 @@ TEST_CASE("displayed positions are those of the barycentric coordinates, on a be
         double most = 0;
         int seen = 0;
         for (std::size_t i = 0; i < moved.size(); ++i) {
-            const DisplayVertex& vertex = mesh.vertices()[i];
+            const surface::DisplayVertex& vertex = mesh.vertices()[i];
             const glm::vec3& p = moved[i].position;
             const Vec3 onGpu(p.x, p.y, p.z);
-            if (displayHidden(state, vertex)) {
+            if (surface::displayHidden(state, vertex)) {
                 REQUIRE(onGpu == Vec3(0, 0, 0));
                 continue;
             }
             ++seen;
-            most = std::max(most, (onGpu - displayedPosition(world, state, vertex)).norm());
+            most =
+                std::max(most, (onGpu - surface::displayedPosition(world, state, vertex)).norm());
         }
         CHECK(seen > static_cast<int>(moved.size()) / 4);
         CHECK(most < 1e-5);
@@ -172,13 +177,13 @@ TEST_CASE("the outside of a bent sheet has the normals of what it is bent to", "
             Vec3(r * std::sin(angle), x[1], r * std::cos(angle) - radius) - x;
     }
     state = roundedToSingle(state);
-    const DisplayMesh mesh(world);
+    const surface::DisplayMesh mesh(world);
     const std::vector<Moved> moved = movedVertices(world, state, mesh);
     std::map<std::array<float, 3>, glm::vec3> known;  // by rest position
     int front = 0, shared = 0;
     double sum = 0;
     for (std::size_t i = 0; i < moved.size(); ++i) {
-        const DisplayVertex& v = mesh.vertices()[i];
+        const surface::DisplayVertex& v = mesh.vertices()[i];
         if ((v.code >> SUNDER_DISPLAY_FACE_BIT & 7) != 5) continue;
         ++front;
         const glm::vec3 n = glm::normalize(moved[i].normal);
@@ -209,7 +214,7 @@ TEST_CASE("no background shows through an intact wall, straight or bent, from an
             for (const Vec3& eye : {Vec3(0, 0.6, 2.1), Vec3(1.7, 1.5, 1.2), Vec3(-1.2, 0.3, -1.6),
                                     Vec3(0.3, 2.6, 0.9)}) {
                 CAPTURE(material, far, eye.transpose());
-                CameraDescription camera;
+                scene::CameraDescription camera;
                 camera.position = eye;
                 camera.target = {0, 0.6, 0};
                 int inside = 0;
@@ -226,7 +231,7 @@ TEST_CASE("a broken wall of every material covers what it should, in more than o
         CAPTURE(material);
         const bool thesis = std::string(material).ends_with("-thesis");
         const World world(presetWall(material, thesis ? 4 : 40));
-        CameraDescription camera;
+        scene::CameraDescription camera;
         camera.position = {0, 0.6, 2.4};
         camera.target = {0, 0.6, 0};
         Painter painter(world);
@@ -236,8 +241,9 @@ TEST_CASE("a broken wall of every material covers what it should, in more than o
         int i = 0;
         for (const State* state : {&rest, &broken}) {
             const std::vector<bool> shows =
-                backgroundShows(painter, *state, camera, DrawnMesh::Display);
-            const Image image = cutOut(painter, *state, camera, {1, 0, 1}, DrawnMesh::Display);
+                backgroundShows(painter, *state, camera, render::DrawnMesh::Display);
+            const image::Image image =
+                cutOut(painter, *state, camera, {1, 0, 1}, render::DrawnMesh::Display);
             std::set<int> seen;
             shown[i] = 0;
             for (int y = 0; y < kHeight; ++y)
@@ -267,16 +273,18 @@ TEST_CASE("a broken wall of every material covers what it should, in more than o
 TEST_CASE("a pane of glass is seen where it is, and less of it once it is shattered", "[display]") {
     const World world(presetWall("glass", 15));
     Painter painter(world);
-    CameraDescription camera;
+    scene::CameraDescription camera;
     camera.position = {0, 0.6, 2.4};
     camera.target = {0, 0.6, 0};
     const glm::vec3 white(1);  // whatever glass does to it makes it darker
-    const Image empty = cutOut(painter, nowhere(world), camera, white, DrawnMesh::Display);
+    const image::Image empty =
+        cutOut(painter, nowhere(world), camera, white, render::DrawnMesh::Display);
     const glm::vec2 low = project(world, camera, {-0.8f, 1.2f, 0.05f});
     const glm::vec2 high = project(world, camera, {0.8f, 0, 0.05f});
     const double front = (high.x - low.x) * (high.y - low.y);
     const auto seen = [&](const State& state) {
-        return differing(cutOut(painter, state, camera, white, DrawnMesh::Display), empty, 2);
+        return differing(cutOut(painter, state, camera, white, render::DrawnMesh::Display), empty,
+                         2);
     };
     const int whole = seen(world.initialState());
     CHECK(whole == Approx(front).epsilon(0.03));
@@ -291,12 +299,13 @@ TEST_CASE("a crack shows before it opens, and only along the broken bonds", "[di
     const Body& wall = world.bodies()[0];
     State state = world.initialState();
     for (int row = 3; row < 9; ++row) breakBond(state, wall.cellAt({7, row, 0}), 0);
-    CameraDescription camera;
+    scene::CameraDescription camera;
     camera.position = {0, 0.6, 1.2};
     camera.target = {0, 0.6, 0};
-    const Image intact =
-        cutOut(painter, world.initialState(), camera, {1, 0, 1}, DrawnMesh::Display);
-    const Image cracked = cutOut(painter, state, camera, {1, 0, 1}, DrawnMesh::Display);
+    const image::Image intact =
+        cutOut(painter, world.initialState(), camera, {1, 0, 1}, render::DrawnMesh::Display);
+    const image::Image cracked =
+        cutOut(painter, state, camera, {1, 0, 1}, render::DrawnMesh::Display);
     const glm::vec2 top = project(world, camera, {0, 0.9f, 0.05f});
     const glm::vec2 bottom = project(world, camera, {0, 0.3f, 0.05f});
     // Edge points and corners lie within half a cell of where the bonds are: 12 pixels.

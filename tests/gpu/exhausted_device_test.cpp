@@ -8,6 +8,7 @@
 #include "gpu/test_context.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 

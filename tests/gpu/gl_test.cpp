@@ -14,6 +14,7 @@
 #include "support/contains.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 using namespace sunder::gl;
 
 namespace {

@@ -5,6 +5,7 @@
 #include "support/solver_under_test.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -44,6 +45,6 @@ std::unique_ptr<Solver> makeChecked(const World& world) {
 
 std::vector<SolverUnderTest> gpuSolvers() {
     return {{"gather", makeChecked<gpu::GatherSolver>, 6e-8, true, true},
-            {"auto", makeChecked<BalancedSolver>, 6e-8, true, true},
+            {"auto", makeChecked<balance::BalancedSolver>, 6e-8, true, true},
             {"scatter", makeChecked<gpu::ScatterSolver>, 6e-8, false, true}};
 }

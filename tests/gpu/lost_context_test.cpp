@@ -12,6 +12,7 @@
 #include "gpu/test_context.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 

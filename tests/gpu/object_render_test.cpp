@@ -9,6 +9,7 @@
 #include "gpu/pictures.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -32,8 +33,8 @@ ObjectDescription object(ObjectShape shape, const Vec3& halfSize) {
 }
 
 /// m: from an object's surface to the ray through a pixel; negative where the ray hits it.
-double gapBesideRay(const Object& object, const ObjectState& state, const CameraDescription& camera,
-                    float x, float y) {
+double gapBesideRay(const Object& object, const ObjectState& state,
+                    const scene::CameraDescription& camera, float x, float y) {
     const double tangent = std::tan(camera.fieldOfView * 3.141592653589793 / 360);
     // The camera looks along -z.
     const Vec3 direction =
@@ -57,7 +58,7 @@ double gapBesideRay(const Object& object, const ObjectState& state, const Camera
 
 TEST_CASE("Objects cover the pixels whose rays meet them", "[render]") {
     const World bare(wallDescription());
-    const Image background = picture(bare, nowhere(bare), frontCamera());
+    const image::Image background = picture(bare, nowhere(bare), frontCamera());
     for (const ObjectDescription& description :
          {object(ObjectShape::Sphere, {0.4, 0.4, 0.4}), object(ObjectShape::Box, {0.6, 0.3, 0.25}),
           object(ObjectShape::Capsule, {0.2, 0.6, 0.2})}) {
@@ -67,10 +68,10 @@ TEST_CASE("Objects cover the pixels whose rays meet them", "[render]") {
         for (const Vec3& at : {Vec3(0, 0.5, 1), Vec3(0.3, 0.4, 0.8)}) {
             CAPTURE(at);
             state.objects[0].position = at;
-            const Image image = picture(world, state, frontCamera());
+            const image::Image image = picture(world, state, frontCamera());
             State walled = state;
             walled.displacement = world.initialState().displacement;
-            const Image beforeWall = picture(world, walled, frontCamera());
+            const image::Image beforeWall = picture(world, walled, frontCamera());
             // A pixel has samples up to 0.71 pixels from its centre, and the mesh is a third of a
             // pixel inside the true surface at most.
             const double pixel = (3 - at[2]) * 2 * std::tan(0.3926990817) / kHeight;
@@ -99,7 +100,7 @@ TEST_CASE("An object is lit from the sun's side, and shows its spin", "[render]"
     const World world(objectWorld({object(ObjectShape::Sphere, {0.4, 0.4, 0.4})}));
     State state = nowhere(world);
     state.objects[0].orientation = Eigen::AngleAxisd(0.7, Vec3::UnitY());  // bands aside
-    const Image image = picture(world, state, frontCamera());
+    const image::Image image = picture(world, state, frontCamera());
     // The sun comes from the camera's side, from the upper left.
     const auto at = [&](float x, float y) {
         const glm::vec2 p = project(world, frontCamera(), {x, 0.5f + y, 0.3f});
@@ -132,7 +133,7 @@ TEST_CASE("An object that is not there is not drawn", "[render]") {
     CHECK_FALSE(state.objects[0].present);
     state.objects[1].present = false;
     state.objects[1].position = Vec3(0, 0.5, 1);
-    for (const DrawStyle style : {DrawStyle::Solid, DrawStyle::Wireframe})
+    for (const render::DrawStyle style : {render::DrawStyle::Solid, render::DrawStyle::Wireframe})
         CHECK(differing(picture(world, state, frontCamera(), style),
                         picture(bare, bare.initialState(), frontCamera(), style), 2) == 0);
 }
@@ -142,8 +143,8 @@ TEST_CASE("A hanging object has a chain", "[render]") {
     ball.hungFrom = Vec3(0.4, 1.4, 0);
     const World world(objectWorld({ball}));
     const World bare(wallDescription());
-    const Image background = picture(bare, nowhere(bare), frontCamera());
-    const Image image = picture(world, nowhere(world), frontCamera());
+    const image::Image background = picture(bare, nowhere(bare), frontCamera());
+    const image::Image image = picture(world, nowhere(world), frontCamera());
     for (float along = 0.01f; along < 1; along += 0.01f) {
         const glm::vec3 p = glm::mix(glm::vec3(0.4f, 1.4f, 0), glm::vec3(0, 0.5f, 0), along);
         const glm::vec2 pixel = project(world, frontCamera(), p);
@@ -156,10 +157,10 @@ TEST_CASE("Objects have lines in a wireframe", "[render]") {
     const World world(objectWorld({object(ObjectShape::Sphere, {0.4, 0.4, 0.4})}));
     State absent = nowhere(world);
     absent.objects[0].present = false;
-    const Image background = picture(world, absent, frontCamera());
+    const image::Image background = picture(world, absent, frontCamera());
     const int solid = differing(picture(world, nowhere(world), frontCamera()), background, 8);
-    const int lines = differing(picture(world, nowhere(world), frontCamera(), DrawStyle::Wireframe),
-                                background, 8);
+    const int lines = differing(
+        picture(world, nowhere(world), frontCamera(), render::DrawStyle::Wireframe), background, 8);
     CHECK(lines > solid / 10);
     CHECK(lines < solid * 9 / 10);
 }
@@ -172,7 +173,7 @@ TEST_CASE("An object throws its shadow on the ground and on walls", "[render]") 
     const World world(description);
     State absent = world.initialState();
     absent.objects[0].present = false;
-    CameraDescription camera;
+    scene::CameraDescription camera;
     camera.position = {1, 1.5, 4};
     camera.target = {0, 0.5, 0};
     const auto ratio = [&](const State& with, const State& without, const vec3& p) {
@@ -204,7 +205,7 @@ TEST_CASE("A scene's bounds hold its objects and where they come from", "[render
     description.objects.insert(description.objects.end(), {hanging, thrown});
     description.throws = {{.object = 2, .from = {-4, 0.5, 0}},
                           {.time = 1, .object = 2, .from = {0, -1000, 0}}};
-    const SceneBounds bounds = sceneBounds(World(description));
+    const render::SceneBounds bounds = render::sceneBounds(World(description));
     CHECK(bounds.high.z >= 4.1f);
     CHECK(bounds.high.y == 5);
     CHECK(bounds.low.x == Approx(-4.1f));

@@ -8,7 +8,8 @@
 #include "catch.hpp"
 #include "gpu/test_context.hpp"
 
-namespace sunder {
+using namespace sunder;
+using namespace sunder::core;
 
 WorldDescription wallDescription() {
     WorldDescription description;
@@ -24,8 +25,8 @@ WorldDescription wallDescription() {
     return description;
 }
 
-CameraDescription frontCamera() {
-    CameraDescription camera;
+scene::CameraDescription frontCamera() {
+    scene::CameraDescription camera;
     camera.position = {0, 0.5, 3};
     camera.target = {0, 0.5, 0};
     return camera;
@@ -44,11 +45,11 @@ State nowhere(const World& world) {
 Painter::Painter(const World& world)
     : buffers_((testContext(), world)), upload_(world), renderer_(world, buffers_) {}
 
-Image Painter::picture(const State& state, const CameraDescription& camera,
-                       RenderSettings settings) {
+image::Image Painter::picture(const State& state, const scene::CameraDescription& camera,
+                              render::RenderSettings settings) {
     settings.width = kWidth;
     settings.height = kHeight;
-    Image image = renderer_.draw(upload_.upload(state), camera, settings);
+    image::Image image = renderer_.draw(upload_.upload(state), camera, settings);
     const std::vector<std::string> errors = testContext().takeErrors();
     CAPTURE(errors);
     CHECK(errors.empty());
@@ -57,32 +58,33 @@ Image Painter::picture(const State& state, const CameraDescription& camera,
     return image;
 }
 
-Image picture(const World& world, const State& state, const CameraDescription& camera,
-              RenderSettings settings) {
+image::Image picture(const World& world, const State& state, const scene::CameraDescription& camera,
+                     render::RenderSettings settings) {
     return Painter(world).picture(state, camera, settings);
 }
 
-Image picture(const World& world, const State& state, const CameraDescription& camera,
-              DrawStyle style, DrawnMesh mesh) {
-    RenderSettings settings;
+image::Image picture(const World& world, const State& state, const scene::CameraDescription& camera,
+                     render::DrawStyle style, render::DrawnMesh mesh) {
+    render::RenderSettings settings;
     settings.mesh = mesh;
     settings.style = style;
     return picture(world, state, camera, settings);
 }
 
-glm::vec2 project(const World& world, const CameraDescription& description, const glm::vec3& p) {
-    const Camera camera =
-        makeCamera(description, static_cast<float>(kWidth) / kHeight, sceneBounds(world));
+glm::vec2 project(const World& world, const scene::CameraDescription& description,
+                  const glm::vec3& p) {
+    const render::Camera camera = render::makeCamera(
+        description, static_cast<float>(kWidth) / kHeight, render::sceneBounds(world));
     const glm::vec4 clip = camera.viewProjection() * glm::vec4(p, 1);
     return {(0.5f + 0.5f * clip.x / clip.w) * kWidth, (0.5f - 0.5f * clip.y / clip.w) * kHeight};
 }
 
-int brightness(const Image& image, int x, int y) {
+int brightness(const image::Image& image, int x, int y) {
     const std::uint8_t* p = &image.pixels[3 * (std::size_t{static_cast<unsigned>(y)} * kWidth + x)];
     return p[0] + p[1] + p[2];
 }
 
-int difference(const Image& a, const Image& b, int x, int y) {
+int difference(const image::Image& a, const image::Image& b, int x, int y) {
     int most = 0;
     for (int channel = 0; channel < 3; ++channel) {
         const std::size_t i = 3 * (std::size_t{static_cast<unsigned>(y)} * kWidth + x) + channel;
@@ -91,7 +93,7 @@ int difference(const Image& a, const Image& b, int x, int y) {
     return most;
 }
 
-int differing(const Image& a, const Image& b, int threshold,
+int differing(const image::Image& a, const image::Image& b, int threshold,
               const std::function<bool(float x, float y)>& counts) {
     int number = 0;
     for (int y = 0; y < kHeight; ++y)
@@ -100,5 +102,3 @@ int differing(const Image& a, const Image& b, int threshold,
                       counts(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
     return number;
 }
-
-}  // namespace sunder

@@ -10,13 +10,14 @@
 #include "gpu/test_context.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 TEST_CASE("A wall covers the pixels that its corners project to", "[render]") {
     const World world(wallDescription());
-    const Image background = picture(world, nowhere(world), frontCamera());
+    const image::Image background = picture(world, nowhere(world), frontCamera());
     for (const Vec3& shift : {Vec3(0, 0, 0), Vec3(0.3, -0.2, 0), Vec3(-0.15, 0.1, 0.7)}) {
         CAPTURE(shift);
-        const Image image = picture(world, shifted(world, shift), frontCamera());
+        const image::Image image = picture(world, shifted(world, shift), frontCamera());
         const glm::vec3 by(shift[0], shift[1], shift[2]);
         const glm::vec2 low = project(world, frontCamera(), by + glm::vec3(-1, 1, 0.05f));
         const glm::vec2 high = project(world, frontCamera(), by + glm::vec3(1, 0, 0.05f));
@@ -48,8 +49,8 @@ TEST_CASE("The background shows through a removed cell", "[render]") {
     const World whole(description);
     description.bodies[0].regions = {{{4, 2, 0}, {4, 2, 0}, -1}};
     const World holed(description);
-    const Image background = picture(whole, nowhere(whole), frontCamera());
-    const Image image = picture(holed, holed.initialState(), frontCamera());
+    const image::Image background = picture(whole, nowhere(whole), frontCamera());
+    const image::Image image = picture(holed, holed.initialState(), frontCamera());
 
     const auto colourAt = [&](float x, float y) {
         const glm::vec2 p = project(holed, frontCamera(), {x, y, 0});
@@ -70,8 +71,8 @@ TEST_CASE("A broken bond that has not opened is a dark line, and nothing else", 
         CAPTURE(axis);
         State state = world.initialState();
         state.damage[kBondsPerCell * wall.cellAt({3, 2, 0}) + axis] = 1;
-        const Image intact = picture(world, world.initialState(), frontCamera());
-        const Image cracked = picture(world, state, frontCamera());
+        const image::Image intact = picture(world, world.initialState(), frontCamera());
+        const image::Image cracked = picture(world, state, frontCamera());
 
         // The bond's face meets the wall's front in the edge from `from` to `to`.
         const glm::vec3 to(0, 0.75f, 0.05f);
@@ -100,11 +101,11 @@ TEST_CASE("A broken bond that has not opened is a dark line, and nothing else", 
 
 TEST_CASE("The three styles show what they say", "[render]") {
     const World world(wallDescription());
-    const Image background = picture(world, nowhere(world), frontCamera());
+    const image::Image background = picture(world, nowhere(world), frontCamera());
     const State rest = world.initialState();
-    const Image solid = picture(world, rest, frontCamera());
-    const Image wire = picture(world, rest, frontCamera(), DrawStyle::Wireframe);
-    const Image overlay = picture(world, rest, frontCamera(), DrawStyle::Overlay);
+    const image::Image solid = picture(world, rest, frontCamera());
+    const image::Image wire = picture(world, rest, frontCamera(), render::DrawStyle::Wireframe);
+    const image::Image overlay = picture(world, rest, frontCamera(), render::DrawStyle::Overlay);
 
     const int wall = differing(solid, background, 8);
     const int lines = differing(wire, background, 8);
@@ -136,11 +137,11 @@ TEST_CASE("A wall throws its shadow on the ground, away from the sun", "[render]
     WorldDescription description = wallDescription();
     description.ground = true;
     const World world(description);
-    CameraDescription above;  // straight down: where "up" in the picture has to be chosen
+    scene::CameraDescription above;  // straight down: where "up" in the picture has to be chosen
     above.position = {0, 8, 0};
     above.target = {0, 0, 0};
-    const Image empty = picture(world, nowhere(world), above);
-    const Image image = picture(world, world.initialState(), above);
+    const image::Image empty = picture(world, nowhere(world), above);
+    const image::Image image = picture(world, world.initialState(), above);
 
     using glm::vec3;
     const vec3 sun = glm::normalize(SUNDER_SUN_DIRECTION);
@@ -157,7 +158,7 @@ TEST_CASE("A wall throws its shadow on the ground, away from the sun", "[render]
 
 TEST_CASE("Drawing leaves GL ready for the simulation", "[render]") {
     const World world(wallDescription());
-    picture(world, world.initialState(), frontCamera(), DrawStyle::Wireframe);
+    picture(world, world.initialState(), frontCamera(), render::DrawStyle::Wireframe);
     for (const GLenum state : {GL_DEPTH_TEST, GL_CULL_FACE, GL_BLEND, GL_FRAMEBUFFER_SRGB,
                                GL_DEPTH_CLAMP, GL_RASTERIZER_DISCARD, GL_SCISSOR_TEST}) {
         CAPTURE(state);
@@ -169,8 +170,8 @@ TEST_CASE("Drawing leaves GL ready for the simulation", "[render]") {
 
     const gpu::WorldBuffers buffers(world);
     gpu::StateUpload upload(world);
-    Renderer renderer(world, buffers);
-    renderer.draw(upload.upload(world.initialState()), frontCamera(), RenderSettings{});
+    render::Renderer renderer(world, buffers);
+    renderer.draw(upload.upload(world.initialState()), frontCamera(), render::RenderSettings{});
     CHECK(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
     CHECK(testContext().takeErrors().empty());
 }
@@ -180,17 +181,17 @@ TEST_CASE("A renderer outlives a picture that is too large", "[render]") {
     const World world(wallDescription());
     const gpu::WorldBuffers buffers(world);
     gpu::StateUpload upload(world);
-    Renderer renderer(world, buffers);
+    render::Renderer renderer(world, buffers);
     const gpu::StateView view = upload.upload(world.initialState());
     for (const auto& [width, height] :
          {std::pair{0, 100}, {100, -1}, {1 << 20, 10}, {16000, 16000}}) {
         CAPTURE(width, height);
-        RenderSettings settings;
+        render::RenderSettings settings;
         settings.width = width;
         settings.height = height;
         CHECK_THROWS_AS(renderer.draw(view, frontCamera(), settings), InputError);
     }
-    RenderSettings settings;
+    render::RenderSettings settings;
     settings.width = 33;
     settings.height = 17;
     settings.samples = 1000;  // clamped

@@ -7,6 +7,7 @@
 #include "gpu/pictures.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -16,11 +17,11 @@ double edgeWidth(const World& world, float height) {
     using glm::vec3;
     const vec3 sun = SUNDER_SUN_DIRECTION;
     const glm::vec3 edge = glm::vec3(0.3f, height, 0) - sun * (height / sun.y);  // on the ground
-    CameraDescription above;
+    scene::CameraDescription above;
     above.position = {edge.x, 2.5, edge.z};
     above.target = {edge.x, 0, edge.z};
-    const Image empty = picture(world, nowhere(world), above);
-    const Image image = picture(world, world.initialState(), above);
+    const image::Image empty = picture(world, nowhere(world), above);
+    const image::Image image = picture(world, world.initialState(), above);
     // Along x through the middle of the picture, averaged over rows that follow the edge: it runs
     // away from the sun, by 0.72 in x for -0.48 in z.
     std::vector<double> light;
@@ -65,11 +66,11 @@ TEST_CASE("No light leaks under a wall, and no wall shades itself", "[shadow]") 
     description.ground = true;
     const World world(description);
     // Behind the foot of the wall, a centimetre from it.
-    CameraDescription behind;
+    scene::CameraDescription behind;
     behind.position = {0.3, 0.9, -1.6};
     behind.target = {0.3, 0, -0.1};
-    const Image empty = picture(world, nowhere(world), behind);
-    const Image image = picture(world, world.initialState(), behind);
+    const image::Image empty = picture(world, nowhere(world), behind);
+    const image::Image image = picture(world, world.initialState(), behind);
     for (float x = -0.5f; x < 0.9f; x += 0.05f) {
         const glm::vec2 p = project(world, behind, {x, 0, -0.06f});
         const int column = static_cast<int>(p.x), row = static_cast<int>(p.y) + 1;
@@ -81,10 +82,10 @@ TEST_CASE("No light leaks under a wall, and no wall shades itself", "[shadow]") 
     description.ground = false;
     const World floating(description);
     for (const Vec3& eye : {Vec3(0, 0.5, 3), Vec3(-2, 1.5, 2), Vec3(2, 0.2, 2)}) {
-        CameraDescription camera;
+        scene::CameraDescription camera;
         camera.position = eye;
         camera.target = {0, 0.5, 0};
-        const Image front = picture(floating, floating.initialState(), camera);
+        const image::Image front = picture(floating, floating.initialState(), camera);
         int least = 1000, most = 0;
         for (float x = -0.95f; x < 0.95f; x += 0.013f)
             for (float y = 0.05f; y < 0.95f; y += 0.013f) {

@@ -5,6 +5,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 TEST_CASE("rectangles cover a range of texels once each, in order") {
     constexpr int columns = 64;

@@ -10,6 +10,7 @@
 #include "scene/scene.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 using glm::vec3;
 
 namespace {
@@ -17,7 +18,7 @@ namespace {
 /// A wall of a preset's material like wallDescription()'s, with finer cells.
 WorldDescription wallOf(const std::string& material, const Vec3& size = {2, 1, 0.1}) {
     WorldDescription description = wallDescription();
-    description.materials = {loadMaterial(material)};
+    description.materials = {scene::loadMaterial(material)};
     description.bodies[0].size = size;
     description.bodies[0].cells = {16, 8, 1};
     return description;
@@ -37,13 +38,13 @@ State burst(const World& world) {
     return state;
 }
 
-vec3 colourAt(const Image& image, int x, int y) {
+vec3 colourAt(const image::Image& image, int x, int y) {
     const std::uint8_t* p = &image.pixels[3 * (std::size_t{static_cast<unsigned>(y)} * kWidth + x)];
     return {p[0], p[1], p[2]};
 }
 
 /// Mean over a rectangle of pixels.
-vec3 meanColour(const Image& image, const glm::ivec2& low, const glm::ivec2& high) {
+vec3 meanColour(const image::Image& image, const glm::ivec2& low, const glm::ivec2& high) {
     vec3 sum(0);
     for (int y = low.y; y < high.y; ++y)
         for (int x = low.x; x < high.x; ++x) sum += colourAt(image, x, y);
@@ -97,9 +98,10 @@ TEST_CASE("A plain surface in the sun has the colour that its light gives", "[su
         WorldDescription description = wallDescription();
         description.materials[0].colour = colour;
         const World world(description);
-        for (const DrawnMesh mesh : {DrawnMesh::Simulation, DrawnMesh::Display}) {
-            const Image image =
-                picture(world, world.initialState(), frontCamera(), DrawStyle::Solid, mesh);
+        for (const render::DrawnMesh mesh :
+             {render::DrawnMesh::Simulation, render::DrawnMesh::Display}) {
+            const image::Image image =
+                picture(world, world.initialState(), frontCamera(), render::DrawStyle::Solid, mesh);
             for (const vec3& p :
                  {vec3(-0.8f, 0.8f, 0.05f), vec3(0.03f, 0.47f, 0.05f), vec3(0.85f, 0.15f, 0.05f)}) {
                 const glm::vec2 pixel = project(world, frontCamera(), p);
@@ -119,10 +121,10 @@ TEST_CASE("Mortar lies where bricks meet, and nowhere else", "[surface]") {
     const WorldDescription description = wallOf("brick", {1.6, 0.8, 0.1});
     const World world(description);
     const Material& brick = description.materials[0];
-    CameraDescription camera;  // two bricks wide: 3 mm per pixel
+    scene::CameraDescription camera;  // two bricks wide: 3 mm per pixel
     camera.position = {0.1, 0.45, 0.75};
     camera.target = {0.1, 0.45, 0};
-    const Image image = picture(world, world.initialState(), camera);
+    const image::Image image = picture(world, world.initialState(), camera);
     const auto meet = [&](const Vec3& p, double within) {
         for (const Vec3& way : {Vec3(within, 0, 0), Vec3(0, within, 0)})
             if (clusterOf(brick, p - way, 1) != clusterOf(brick, p + way, 1)) return true;
@@ -159,21 +161,22 @@ TEST_CASE("On every face of a wall, mortar lies where the bricks that it bounds 
     const Material& brick = description.materials[0];
     const Body& body = world.bodies()[0];
     const Vec3 size = description.bodies[0].size, middle = body.origin + size / 2;
-    for (const DrawnMesh mesh : {DrawnMesh::Simulation, DrawnMesh::Display})
+    for (const render::DrawnMesh mesh : {render::DrawnMesh::Simulation, render::DrawnMesh::Display})
         for (int face = 0; face < 6; ++face) {
             const int axis = face >> 1;
             Vec3 outwards = Vec3::Zero();
             outwards[axis] = face & 1 ? 1 : -1;
             CAPTURE(mesh, outwards.transpose());
-            CameraDescription camera;
+            scene::CameraDescription camera;
             camera.target = middle + 0.5 * size[axis] * outwards;
             camera.position = camera.target + 0.7 * outwards;
             camera.target += Vec3(0.01, 0.01, 0.01);  // no pixel's centre lies on a joint's edge
-            const Image image =
-                picture(world, world.initialState(), camera, DrawStyle::Solid, mesh);
-            const glm::mat4 back = glm::inverse(
-                makeCamera(camera, static_cast<float>(kWidth) / kHeight, sceneBounds(world))
-                    .viewProjection());
+            const image::Image image =
+                picture(world, world.initialState(), camera, render::DrawStyle::Solid, mesh);
+            const glm::mat4 back =
+                glm::inverse(render::makeCamera(camera, static_cast<float>(kWidth) / kHeight,
+                                                render::sceneBounds(world))
+                                 .viewProjection());
             // Of the face, from the body's origin; nothing where the pixel shows none of it.
             const auto placeAt = [&](int x, int y) -> std::optional<Vec3> {
                 const glm::vec2 centre(static_cast<float>(2 * x + 1) / kWidth,
@@ -230,8 +233,8 @@ TEST_CASE("On every face of a wall, mortar lies where the bricks that it bounds 
 TEST_CASE("What is seen of a material does not hang on how a place is rounded", "[surface][long]") {
     // Where a wall stands rounds all its places otherwise, and is all that differs: the sun and the
     // sky are far, and there is no ground.
-    for (const PresetInfo& preset : materialPresets()) {
-        std::vector<Image> pictures[2];
+    for (const scene::PresetInfo& preset : scene::materialPresets()) {
+        std::vector<image::Image> pictures[2];
         for (const bool elsewhere : {false, true}) {
             const Vec3 at = elsewhere ? Vec3(0.37, 0, 0.73) : Vec3(0, 0, 0);
             WorldDescription description = wallOf(preset.name, {1.6, 0.8, 0.2});
@@ -239,13 +242,15 @@ TEST_CASE("What is seen of a material does not hang on how a place is rounded", 
             const World world(description);
             Painter painter(world);
             for (const double side : {1.0, -1.0})
-                for (const DrawnMesh mesh : {DrawnMesh::Simulation, DrawnMesh::Display})
+                for (const render::DrawnMesh mesh :
+                     {render::DrawnMesh::Simulation, render::DrawnMesh::Display})
                     for (const bool broken : {false, true}) {
-                        CameraDescription camera;  // a corner, and the three faces that meet there
+                        scene::CameraDescription
+                            camera;  // a corner, and the three faces that meet there
                         camera.target = at + Vec3(side * 0.7, 0.4 + side * 0.3, 0);
                         camera.position = camera.target + side * Vec3(0.4, 0.5, 0.6);
                         const State state = broken ? burst(world) : world.initialState();
-                        RenderSettings settings;
+                        render::RenderSettings settings;
                         settings.mesh = mesh;
                         pictures[elsewhere].push_back(painter.picture(state, camera, settings));
                     }
@@ -267,10 +272,10 @@ TEST_CASE("A joint as narrow as a pixel is as dark wherever pixels begin", "[sur
     float least = 1000, most = 0;
     constexpr int kPhases = 8;
     for (int phase = 0; phase < kPhases; ++phase) {
-        CameraDescription camera;
+        scene::CameraDescription camera;
         camera.target = joint + Vec3(0, pixel * phase / kPhases, 0);
         camera.position = camera.target + Vec3(0, 0, far);
-        const Image image = picture(world, world.initialState(), camera);
+        const image::Image image = picture(world, world.initialState(), camera);
         const vec3 mean = meanColour(image, {120, kHeight / 2 - 4}, {200, kHeight / 2 + 5});
         least = std::min(least, mean.r + mean.g + mean.b);
         most = std::max(most, mean.r + mean.g + mean.b);
@@ -284,10 +289,10 @@ TEST_CASE("A texture moves with its wall", "[surface]") {
     for (const char* material : {"wood", "planks", "brick", "concrete", "rubber"}) {
         CAPTURE(material);
         const World world(wallOf(material));
-        const Image still = picture(world, world.initialState(), frontCamera());
+        const image::Image still = picture(world, world.initialState(), frontCamera());
         // By seven pixels in the plane of its front, which is 2.95 m away.
         const double pixel = 2.95 * 2 * std::tan(0.3926990817) / kHeight;
-        const Image moved = picture(world, shifted(world, {7 * pixel, 0, 0}), frontCamera());
+        const image::Image moved = picture(world, shifted(world, {7 * pixel, 0, 0}), frontCamera());
         const auto difference = [&](int by) {
             double sum = 0;
             int count = 0;
@@ -303,7 +308,7 @@ TEST_CASE("A texture moves with its wall", "[surface]") {
 
 TEST_CASE("What a break bares looks different from the outside", "[surface]") {
     // The face at x = 0 ends a wall, or is bared in the middle of one twice as long.
-    CameraDescription camera;
+    scene::CameraDescription camera;
     camera.position = {1.2, 0.5, 0};
     camera.target = {0, 0.5, 0};
     for (const char* material : {"wood", "concrete", "brick"}) {

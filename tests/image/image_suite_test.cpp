@@ -13,6 +13,7 @@
 #include "image/stored_state.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 namespace fs = std::filesystem;
 
 namespace {
@@ -24,26 +25,26 @@ const Suite& suite() {
     return read;
 }
 
-ComparisonLimits limitsOf(const SuitePicture& picture) {
+image::ComparisonLimits limitsOf(const SuitePicture& picture) {
     return suite().limits(picture, testContext().info());
 }
 
 /// A picture must differ from what it was before a change, by the suite's limits and by those
 /// that `sunder compare` has where none are given. Is reported.
-void checkSeen(const std::string& change, const std::string& name, const Image& before,
-               const Image& after) {
-    const ComparisonLimits limits = limitsOf(suite().picture(name)), byDefault;
-    const Comparison comparison = compare(before, after, limits.threshold);
+void checkSeen(const std::string& change, const std::string& name, const image::Image& before,
+               const image::Image& after) {
+    const image::ComparisonLimits limits = limitsOf(suite().picture(name)), byDefault;
+    const image::Comparison comparison = image::compare(before, after, limits.threshold);
     const bool seen = !comparison.alike(limits);
-    const bool seenByDefault = !compare(before, after, byDefault.threshold).alike(byDefault);
+    const bool seenByDefault = !image::compare(before, after, byDefault.threshold).alike(byDefault);
     writeControlResult(name, change, comparison, limits, seen, seenByDefault);
     CAPTURE(name, change, seen, seenByDefault);
     CHECK(seen);
     CHECK(seenByDefault);
 }
 
-Image drawn(
-    const std::string& name, const SceneChange& change = [](Scene&) {}) {
+image::Image drawn(
+    const std::string& name, const SceneChange& change = [](scene::Scene&) {}) {
     return drawSuitePicture(suite().picture(name), kFolder, change);
 }
 
@@ -52,8 +53,8 @@ void checkSeen(const std::string& change, const std::string& name, const SceneCh
 }
 
 /// Moves the camera to its right by a pixel's width at its target.
-void moveByPixel(Scene& scene, int pictureHeight) {
-    CameraDescription& camera = scene.camera;
+void moveByPixel(scene::Scene& scene, int pictureHeight) {
+    scene::CameraDescription& camera = scene.camera;
     const Vec3 forward = camera.target - camera.position;
     const Vec3 right = forward.cross(Vec3(0, 1, 0)).normalized();
     const double tangent = std::tan(camera.fieldOfView * 3.141592653589793 / 360);
@@ -66,7 +67,7 @@ void moveByPixel(Scene& scene, int pictureHeight) {
 /// smallest may be out of sight.
 std::vector<int> middlingChunk(const std::string& name) {
     const SuitePicture& picture = suite().picture(name);
-    const World world(loadScene(picture.scene).world);
+    const World world(scene::loadScene(picture.scene).world);
     const Pieces pieces = findPieces(world, readState(stateOf(kFolder, picture), world));
     std::vector<std::vector<int>> cells(pieces.count);
     for (int cell = 0; cell < world.cellCount(); ++cell)
@@ -78,12 +79,12 @@ std::vector<int> middlingChunk(const std::string& name) {
     return cells[cells.size() / 2];
 }
 
-void removeCell(Scene& scene, const IVec3& at, int body = 0) {
+void removeCell(scene::Scene& scene, const IVec3& at, int body = 0) {
     scene.world.bodies[body].regions.push_back({at, at, -1});
 }
 
 /// As if these cells had never been there.
-void remove(Scene& scene, const std::vector<int>& cells) {
+void remove(scene::Scene& scene, const std::vector<int>& cells) {
     const World world(scene.world);
     for (const int cell : cells) {
         const int body = world.bodyOf(cell);
@@ -99,7 +100,7 @@ TEST_CASE("pictures are what they were", "[image]") {
     REQUIRE(cleared);
     const bool onBaselineDriver = suite().madeBaselines(testContext().info());
     for (const SuitePicture& picture : suite().pictures) DYNAMIC_SECTION(picture.name) {
-            const ComparisonLimits limits = limitsOf(picture);
+            const image::ComparisonLimits limits = limitsOf(picture);
             const PictureResult result = drawAndCompare(picture, kFolder, limits);
             writePictureResult(picture, result, limits, onBaselineDriver);
             CAPTURE(picture.name, result.glErrors);
@@ -127,41 +128,44 @@ TEST_CASE("the comparison sees a camera moved by a pixel", "[image]") {
     for (const char* name : {"wood-broken", "brick-broken", "glass-broken", "stress"}) {
         const int height = suite().picture(name).settings.height;
         checkSeen("camera moved by a pixel", name,
-                  [&](Scene& scene) { moveByPixel(scene, height); });
+                  [&](scene::Scene& scene) { moveByPixel(scene, height); });
     }
 }
 
 TEST_CASE("the comparison sees a missing chunk, another material, another seed", "[image]") {
-    CHECK(compare(drawn("wood-intact"), drawn("wood-intact"), 0).largest == 0);
-    checkSeen("a cell missing", "wood-intact", [](Scene& scene) {
+    CHECK(image::compare(drawn("wood-intact"), drawn("wood-intact"), 0).largest == 0);
+    checkSeen("a cell missing", "wood-intact", [](scene::Scene& scene) {
         removeCell(scene, {20, 15, 0});
     });
     // At the wall's far end it is less than the bounds of other drivers let through.
-    const Image far = drawn("wood-intact", [](Scene& scene) { removeCell(scene, {0, 0, 0}); });
-    CHECK_FALSE(
-        compare(drawn("wood-intact"), far, ComparisonLimits{}.threshold).alike(ComparisonLimits{}));
+    const image::Image far = drawn("wood-intact", [](scene::Scene& scene) {
+        removeCell(scene, {0, 0, 0});
+    });
+    CHECK_FALSE(image::compare(drawn("wood-intact"), far, image::ComparisonLimits{}.threshold)
+                    .alike(image::ComparisonLimits{}));
     for (const char* name : {"wood-broken", "concrete-broken"})
         checkSeen("a chunk missing", name,
-                  [&](Scene& scene) { remove(scene, middlingChunk(name)); });
-    checkSeen("of concrete", "wood-intact",
-              [](Scene& scene) { scene.world.materials[0] = loadMaterial("concrete"); });
+                  [&](scene::Scene& scene) { remove(scene, middlingChunk(name)); });
+    checkSeen("of concrete", "wood-intact", [](scene::Scene& scene) {
+        scene.world.materials[0] = scene::loadMaterial("concrete");
+    });
     checkSeen("a paler material", "wood-intact",
-              [](Scene& scene) { scene.world.materials[0].colour *= 1.25; });
-    checkSeen("another seed", "concrete-broken", [](Scene& scene) { scene.world.seed = 2; });
+              [](scene::Scene& scene) { scene.world.materials[0].colour *= 1.25; });
+    checkSeen("another seed", "concrete-broken", [](scene::Scene& scene) { scene.world.seed = 2; });
 }
 
 TEST_CASE("the comparison sees a blank picture and a picture without shadows or texture",
           "[image]") {
-    const Image picture = drawn("brick-broken");
-    Image blank = picture;
+    const image::Image picture = drawn("brick-broken");
+    image::Image blank = picture;
     std::fill(blank.pixels.begin(), blank.pixels.end(), std::uint8_t{0});
     checkSeen("all black", "brick-broken", picture, blank);
     // As when walls are not drawn: behind the camera, near enough to leave the haze as it was.
     checkSeen("sky and ground alone", "brick-broken",
-              [](Scene& scene) { scene.world.bodies[0].position[2] += 6; });
+              [](scene::Scene& scene) { scene.world.bodies[0].position[2] += 6; });
     checkSeen("no texture", "brick-broken",
-              [](Scene& scene) { scene.world.materials[0].surface = SurfaceKind::Plain; });
-    checkSeen("no ground", "brick-broken", [](Scene& scene) { scene.world.ground = false; });
+              [](scene::Scene& scene) { scene.world.materials[0].surface = SurfaceKind::Plain; });
+    checkSeen("no ground", "brick-broken", [](scene::Scene& scene) { scene.world.ground = false; });
 }
 
 TEST_CASE("the comparison sees edges made of the bricks beyond them", "[image]") {
@@ -175,11 +179,11 @@ TEST_CASE("the comparison sees edges made of the bricks beyond them", "[image]")
             REQUIRE(at != std::string::npos);
             return std::optional(text->replace(at, hair.size(), other));
         });
-        const Image image = drawn("brick-edge");
+        const image::Image image = drawn("brick-edge");
         gl::useShaders(embedded);
         return image;
     };
-    const Image right = drawn("brick-edge");
+    const image::Image right = drawn("brick-edge");
     checkSeen("a hair outside", "brick-edge", right, drawnAt("HAIR = -1e-3"));
     // Rounding decides for each pixel, which another driver may do alike for all.
     if (suite().madeBaselines(testContext().info()))

@@ -7,6 +7,7 @@
 #include "image/stored_state.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 namespace fs = std::filesystem;
 
 namespace {
@@ -32,9 +33,9 @@ std::vector<SuitePicture> chosen(const Suite& suite, const fs::path& folder,
 }
 
 State simulate(const SuitePicture& picture) {
-    const Scene scene = loadScene(picture.scene);
+    const scene::Scene scene = scene::loadScene(picture.scene);
     const World world(scene.world);
-    CpuSolver solver(world);
+    cpu::CpuSolver solver(world);
     solver.advance(scene.substeps * picture.frame);
     return solver.state();
 }
@@ -65,7 +66,7 @@ std::vector<fs::path> renew(const Suite& suite, const fs::path& folder,
         }
         fs::create_directories(folder / "baselines");
         written.push_back(baselineOf(folder, picture));
-        writePng(written.back(), drawSuitePicture(picture, folder));
+        image::writePng(written.back(), drawSuitePicture(picture, folder));
     }
     return written;
 }

@@ -11,6 +11,7 @@
 #include "support/test_folder.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 using Catch::Contains;
 namespace fs = std::filesystem;
 
@@ -47,7 +48,7 @@ Names renewIn(const TestFolder& folder, const Renewal& renewal,
               const gl::DeviceInfo& info = kMaker) {
     Names names;
     for (const fs::path& path : renew(smallSuite(), folder.path(), info, renewal))
-        names.push_back(utf8FromPath(path.filename()));
+        names.push_back(files::utf8FromPath(path.filename()));
     std::sort(names.begin(), names.end());
     return names;
 }
@@ -78,7 +79,7 @@ TEST_CASE("states are stored where there are none, and renewed only when asked f
 
     // As if the physics had moved: what is stored is kept.
     const fs::path state = folder.path() / "states" / "wood-thesis-2.state";
-    const World world(loadScene("wood-thesis").world);
+    const World world(scene::loadScene("wood-thesis").world);
     const State simulated = readState(state, world);
     State other = simulated;
     for (Vec3& displacement : other.displacement) displacement[1] = 1;

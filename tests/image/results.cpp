@@ -9,6 +9,7 @@
 #include "image/stored_state.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 using nlohmann::json;
 namespace fs = std::filesystem;
 
@@ -16,17 +17,17 @@ namespace {
 
 const fs::path kReport = SUNDER_REPORT;
 
-std::string size(const Image& image) {
+std::string size(const image::Image& image) {
     return std::to_string(image.width) + " x " + std::to_string(image.height);
 }
 
-std::string describe(const Comparison& c) {
+std::string describe(const image::Comparison& c) {
     return "share " + std::to_string(c.share) + ", window " + std::to_string(c.windowShare) +
            " at " + std::to_string(c.windowX) + ", " + std::to_string(c.windowY) + ", mean " +
            std::to_string(c.mean);
 }
 
-json toJson(const Comparison& c) {
+json toJson(const image::Comparison& c) {
     return {{"share", c.share},
             {"window", c.windowShare},
             {"mean", c.mean},
@@ -34,7 +35,7 @@ json toJson(const Comparison& c) {
             {"worst_window", {c.windowX, c.windowY, c.windowWidth, c.windowHeight}}};
 }
 
-json toJson(const ComparisonLimits& limits) {
+json toJson(const image::ComparisonLimits& limits) {
     return {{"threshold", limits.threshold},
             {"share", limits.share},
             {"window", limits.window},
@@ -43,7 +44,7 @@ json toJson(const ComparisonLimits& limits) {
 
 void writeJson(const fs::path& path, const json& contents) {
     fs::create_directories(path.parent_path());
-    writeFile(path, contents.dump(2) + "\n");
+    files::writeFile(path, contents.dump(2) + "\n");
 }
 
 /// Draws it into `result`, or says there why not.
@@ -59,7 +60,7 @@ bool draw(const SuitePicture& picture, const fs::path& folder, const DrawPicture
     const fs::path state = stateOf(folder, picture);
     if (picture.storedState() && !fs::exists(state)) {
         result.accept = "tools/update-baselines " + picture.name;
-        return failed("missing state", utf8FromPath(state) + ": there is no stored state");
+        return failed("missing state", files::utf8FromPath(state) + ": there is no stored state");
     }
     try {
         result.actual = drawPicture(picture, folder);
@@ -73,15 +74,15 @@ bool draw(const SuitePicture& picture, const fs::path& folder, const DrawPicture
     return result.actual.has_value();
 }
 
-void compareWithBaseline(const ComparisonLimits& limits, PictureResult& result) {
-    const Image &expected = *result.expected, &actual = *result.actual;
+void compareWithBaseline(const image::ComparisonLimits& limits, PictureResult& result) {
+    const image::Image &expected = *result.expected, &actual = *result.actual;
     if (expected.width != actual.width || expected.height != actual.height) {
         result.verdict = "size mismatch";
         result.sentence =
             "the picture has " + size(actual) + " pixels, its baseline " + size(expected);
         return;
     }
-    result.comparison = compare(expected, actual, limits.threshold);
+    result.comparison = image::compare(expected, actual, limits.threshold);
     result.verdict = result.comparison->alike(limits) ? "alike" : "mismatch";
     if (!result.holds()) result.sentence = describe(*result.comparison);
 }
@@ -89,7 +90,8 @@ void compareWithBaseline(const ComparisonLimits& limits, PictureResult& result) 
 }  // namespace
 
 PictureResult drawAndCompare(const SuitePicture& picture, const fs::path& folder,
-                             const ComparisonLimits& limits, const DrawPicture& drawPicture) {
+                             const image::ComparisonLimits& limits,
+                             const DrawPicture& drawPicture) {
     PictureResult result;
     const auto failed = [&result](const char* verdict, const std::string& sentence) {
         result.verdict = verdict;
@@ -99,7 +101,7 @@ PictureResult drawAndCompare(const SuitePicture& picture, const fs::path& folder
     if (!draw(picture, folder, drawPicture, result)) {
         // To see what is missing.
         try {
-            result.expected = readPng(baseline);
+            result.expected = image::readPng(baseline);
         } catch (const InputError&) {
         }
         return result;
@@ -109,11 +111,11 @@ PictureResult drawAndCompare(const SuitePicture& picture, const fs::path& folder
     const std::string accept =
         picture.ownBaseline() ? "tools/update-baselines " + picture.name : "";
     if (!fs::exists(baseline)) {
-        failed("missing baseline", utf8FromPath(baseline) + ": there is no baseline");
+        failed("missing baseline", files::utf8FromPath(baseline) + ": there is no baseline");
         result.accept = accept;
     } else {
         try {
-            result.expected = readPng(baseline);
+            result.expected = image::readPng(baseline);
             compareWithBaseline(limits, result);
         } catch (const InputError& error) {
             failed("damaged baseline", error.what());
@@ -134,7 +136,7 @@ void clearPictureResults() {
 }
 
 void writePictureResult(const SuitePicture& picture, const PictureResult& result,
-                        const ComparisonLimits& limits, bool onBaselineDriver) {
+                        const image::ComparisonLimits& limits, bool onBaselineDriver) {
     const fs::path folder = kReport / "pictures";
     const gl::DeviceInfo& info = testContext().info();
     json contents{{"name", picture.name},         {"scene", picture.scene},
@@ -147,17 +149,19 @@ void writePictureResult(const SuitePicture& picture, const PictureResult& result
     if (result.comparison) {
         contents["numbers"] = toJson(*result.comparison);
         fs::create_directories(folder);
-        writePng(folder / (picture.name + "-difference.png"),
-                 differencePicture(*result.expected, *result.actual, *result.comparison));
+        image::writePng(
+            folder / (picture.name + "-difference.png"),
+            image::differencePicture(*result.expected, *result.actual, *result.comparison));
     }
     writeJson(folder / (picture.name + ".json"), contents);
-    if (result.expected) writePng(folder / (picture.name + "-expected.png"), *result.expected);
-    if (result.actual) writePng(folder / (picture.name + "-actual.png"), *result.actual);
+    if (result.expected)
+        image::writePng(folder / (picture.name + "-expected.png"), *result.expected);
+    if (result.actual) image::writePng(folder / (picture.name + "-actual.png"), *result.actual);
 }
 
 void writeControlResult(const std::string& picture, const std::string& change,
-                        const Comparison& comparison, const ComparisonLimits& limits, bool seen,
-                        bool seenByDefault) {
+                        const image::Comparison& comparison, const image::ComparisonLimits& limits,
+                        bool seen, bool seenByDefault) {
     std::string name = picture + "-" + change;
     std::replace(name.begin(), name.end(), ' ', '-');
     writeJson(kReport / "controls" / (name + ".json"), {{"picture", picture},

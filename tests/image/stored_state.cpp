@@ -10,6 +10,7 @@
 #include "files/write_file.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 namespace fs = std::filesystem;
 
 namespace {
@@ -137,12 +138,12 @@ State decodeState(std::string_view bytes, const World& world, const std::string&
 
 void writeState(const fs::path& path, const State& state) {
     fs::create_directories(path.parent_path());
-    writeFile(path, encodeState(state));
+    files::writeFile(path, encodeState(state));
 }
 
 State readState(const fs::path& path, const World& world) {
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw StateError(utf8FromPath(path) + ": there is no stored state");
+    if (!file) throw StateError(files::utf8FromPath(path) + ": there is no stored state");
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    return decodeState(bytes, world, utf8FromPath(path));
+    return decodeState(bytes, world, files::utf8FromPath(path));
 }

@@ -7,6 +7,7 @@
 #include "support/test_folder.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 using Catch::Contains;
 
 namespace {
@@ -41,7 +42,7 @@ std::string refusal(std::string_view bytes, const World& world) {
 }  // namespace
 
 TEST_CASE("a stored state has all that is drawn, in single precision") {
-    const World world(loadScene("wrecking-ball").world);
+    const World world(scene::loadScene("wrecking-ball").world);
     const State before = moved(world);
     const TestFolder folder;
     writeState(folder.path() / "states" / "a.state", before);
@@ -64,7 +65,7 @@ TEST_CASE("a stored state has all that is drawn, in single precision") {
 }
 
 TEST_CASE("a damaged state, or one of another world, is refused") {
-    const World world(loadScene("wood-thesis").world);
+    const World world(scene::loadScene("wood-thesis").world);
     const std::string whole = encodeState(moved(world));
     REQUIRE(refusal(whole, world) == "none");
     // Wherever it is cut and whichever bit of it is another. The step is not part of a picture.
@@ -78,7 +79,7 @@ TEST_CASE("a damaged state, or one of another world, is refused") {
         INFO(byte);
         REQUIRE(refusal(flipped, world) != "none");
     }
-    CHECK_THAT(refusal(whole, World(loadScene("wood").world)),
+    CHECK_THAT(refusal(whole, World(scene::loadScene("wood").world)),
                Contains("another world") && Contains("432 nodes"));
     CHECK_THAT(refusal("PNG", world), Contains("not a stored state"));
     CHECK_THROWS_AS(readState("no/such.state", world), StateError);

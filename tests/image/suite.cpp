@@ -15,24 +15,26 @@
 #include "scene/toml_file.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 namespace fs = std::filesystem;
 
 namespace {
 
 constexpr SuiteSolver kSolvers[] = {SuiteSolver::Cpu, SuiteSolver::Gather, SuiteSolver::Scatter};
 
-constexpr WholeRange kThreshold{0, 255};
-constexpr Range kShare{0, 1}, kLevels{0, 255}, kPlace{-100, 100, "m"};
+constexpr scene::WholeRange kThreshold{0, 255};
+constexpr scene::Range kShare{0, 1}, kLevels{0, 255}, kPlace{-100, 100, "m"};
 
 template <class T, class Allowed>
-T required(const TableReader& table, const char* key, const char* hint, const Allowed& allowed) {
+T required(const scene::TableReader& table, const char* key, const char* hint,
+           const Allowed& allowed) {
     table.require(key, hint);
     T value{};
     table.read(key, value, allowed);
     return value;
 }
 
-ComparisonLimits readLimits(const TableReader& table) {
+image::ComparisonLimits readLimits(const scene::TableReader& table) {
     return {.threshold = required<int>(table, "threshold", "levels, 0 to 255", kThreshold),
             .share = required<double>(table, "share", "0 to 1", kShare),
             .window = required<double>(table, "window", "0 to 1", kShare),
@@ -40,7 +42,7 @@ ComparisonLimits readLimits(const TableReader& table) {
 }
 
 template <class T, class Allowed>
-void readOptional(const TableReader& table, const char* key, std::optional<T>& value,
+void readOptional(const scene::TableReader& table, const char* key, std::optional<T>& value,
                   const Allowed& allowed) {
     T read{};
     if (table.read(key, read, allowed)) value = read;
@@ -48,7 +50,7 @@ void readOptional(const TableReader& table, const char* key, std::optional<T>& v
 
 /// Reads one of `choices` by its name; left as it is where the table does not say.
 template <class Choice, std::size_t Count>
-void readChoice(const TableReader& table, const char* key, Choice& value,
+void readChoice(const scene::TableReader& table, const char* key, Choice& value,
                 const Choice (&choices)[Count]) {
     std::array<std::string_view, Count> names;
     std::transform(choices, choices + Count, names.begin(),
@@ -56,7 +58,7 @@ void readChoice(const TableReader& table, const char* key, Choice& value,
     if (const auto chosen = table.readChoice(key, names)) value = choices[*chosen];
 }
 
-SuitePicture readPicture(const TableReader& table) {
+SuitePicture readPicture(const scene::TableReader& table) {
     SuitePicture picture;
     picture.name = required<std::string>(table, "name", "of the baseline", 60);
     // It becomes a file's name, and an argument of tools/update-baselines.
@@ -64,15 +66,15 @@ SuitePicture readPicture(const TableReader& table) {
         std::string::npos)
         table.fail("name", "name must be of a to z, 0 to 9 and '-'");
     picture.scene = required<std::string>(table, "scene", "a preset", 60);
-    picture.frame = required<int>(table, "frame", "of 1/60 s", WholeRange{0, 10000});
+    picture.frame = required<int>(table, "frame", "of 1/60 s", scene::WholeRange{0, 10000});
     picture.baseline = picture.name;
     table.read("baseline", picture.baseline, 60);
     picture.settings.width = 480;
     picture.settings.height = 270;
     readChoice(table, "solver", picture.solver, kSolvers);
-    readChoice(table, "mesh", picture.settings.mesh, kDrawnMeshes);
-    readChoice(table, "style", picture.settings.style, kDrawStyles);
-    readChoice(table, "colour", picture.colour, kWallColours);
+    readChoice(table, "mesh", picture.settings.mesh, render::kDrawnMeshes);
+    readChoice(table, "style", picture.settings.style, render::kDrawStyles);
+    readChoice(table, "colour", picture.colour, render::kWallColours);
     readOptional(table, "camera", picture.camera, kPlace);
     readOptional(table, "target", picture.target, kPlace);
     readOptional(table, "threshold", picture.threshold, kThreshold);
@@ -82,12 +84,12 @@ SuitePicture readPicture(const TableReader& table) {
     return picture;
 }
 
-void readPictures(const TableReader& root, Suite& suite) {
-    const TableReader::Keys known{"name",      "scene", "frame",  "solver", "baseline",
-                                  "mesh",      "style", "colour", "camera", "target",
-                                  "threshold", "share", "window", "mean"};
+void readPictures(const scene::TableReader& root, Suite& suite) {
+    const scene::TableReader::Keys known{"name",      "scene", "frame",  "solver", "baseline",
+                                         "mesh",      "style", "colour", "camera", "target",
+                                         "threshold", "share", "window", "mean"};
     std::set<std::string> own;
-    for (const TableReader& table : root.tables("picture", known, 1000)) {
+    for (const scene::TableReader& table : root.tables("picture", known, 1000)) {
         const SuitePicture picture = readPicture(table);
         for (const SuitePicture& other : suite.pictures)
             if (other.name == picture.name) table.fail("name", "another picture has this name");
@@ -130,9 +132,10 @@ bool Suite::madeBaselines(const gl::DeviceInfo& device) const {
            device.version.find(baselineVersion) != std::string::npos;
 }
 
-ComparisonLimits Suite::limits(const SuitePicture& picture, const gl::DeviceInfo& device) const {
+image::ComparisonLimits Suite::limits(const SuitePicture& picture,
+                                      const gl::DeviceInfo& device) const {
     const bool made = madeBaselines(device);
-    ComparisonLimits limits = made ? baselineLimits : otherLimits;
+    image::ComparisonLimits limits = made ? baselineLimits : otherLimits;
     const auto adapt = [made](auto& limit, const auto& own) {
         if (own) limit = made ? *own : std::max(limit, *own);
     };
@@ -144,13 +147,13 @@ ComparisonLimits Suite::limits(const SuitePicture& picture, const gl::DeviceInfo
 }
 
 Suite parseSuite(std::string_view text, const std::string& file) {
-    const toml::table table = parseToml(text, file);
-    const TableReader root(table, file, "the suite",
-                           {"baseline_driver", "other_drivers", "picture"});
+    const toml::table table = scene::parseToml(text, file);
+    const scene::TableReader root(table, file, "the suite",
+                                  {"baseline_driver", "other_drivers", "picture"});
     Suite suite;
     root.require("baseline_driver", "a table");
     root.require("other_drivers", "a table");
-    const TableReader baseline = *root.table(
+    const scene::TableReader baseline = *root.table(
         "baseline_driver", {"renderer", "version", "threshold", "share", "window", "mean"});
     suite.baselineRenderer =
         required<std::string>(baseline, "renderer", "how GL_RENDERER begins", 100);
@@ -164,7 +167,8 @@ Suite parseSuite(std::string_view text, const std::string& file) {
 }
 
 Suite readSuite(const fs::path& path) {
-    return parseSuite(readTextFile(path), "tests/image/" + utf8FromPath(path.filename()));
+    return parseSuite(scene::readTextFile(path),
+                      "tests/image/" + files::utf8FromPath(path.filename()));
 }
 
 fs::path baselineOf(const fs::path& folder, const SuitePicture& picture) {
@@ -175,23 +179,23 @@ fs::path stateOf(const fs::path& folder, const SuitePicture& picture) {
     return folder / "states" / (picture.scene + "-" + std::to_string(picture.frame) + ".state");
 }
 
-Image drawSuitePicture(const SuitePicture& picture, const fs::path& folder,
-                       const SceneChange& change) {
+image::Image drawSuitePicture(const SuitePicture& picture, const fs::path& folder,
+                              const SceneChange& change) {
     testContext();
-    Scene scene = loadScene(picture.scene);
+    scene::Scene scene = scene::loadScene(picture.scene);
     scene.camera.position = picture.camera.value_or(scene.camera.position);
     scene.camera.target = picture.target.value_or(scene.camera.target);
     change(scene);
     const World world(scene.world);
     const gpu::WorldBuffers buffers(world);
-    Renderer renderer(world, buffers);
-    CellColours colours(world);
-    RenderSettings settings = picture.settings;
+    render::Renderer renderer(world, buffers);
+    render::CellColours colours(world);
+    render::RenderSettings settings = picture.settings;
     settings.colours = &colours;
     const auto draw = [&](const gpu::StateView& view, const State& state) {
         colours.update(state, picture.colour);
-        Image image = renderer.draw(view, scene.camera, settings);
-        drawLegend(image, colours.key());
+        image::Image image = renderer.draw(view, scene.camera, settings);
+        render::drawLegend(image, colours.key());
         return image;
     };
     if (picture.solver != SuiteSolver::Cpu) {

@@ -27,9 +27,9 @@ struct SuitePicture {
     int frame = 0;
     SuiteSolver solver = SuiteSolver::Cpu;
     std::string baseline;  ///< the picture whose baseline it is compared with
-    sunder::RenderSettings settings;
-    sunder::WallColour colour = sunder::WallColour::Material;
-    std::optional<sunder::Vec3> camera, target;  ///< m, instead of the scene's
+    sunder::render::RenderSettings settings;
+    sunder::render::WallColour colour = sunder::render::WallColour::Material;
+    std::optional<sunder::core::Vec3> camera, target;  ///< m, instead of the scene's
     /// Instead of the suite's limits.
     std::optional<int> threshold;
     std::optional<double> share, window, mean;
@@ -42,14 +42,15 @@ struct SuitePicture {
 struct Suite {
     std::string baselineRenderer;  ///< how GL_RENDERER begins of the driver that made the baselines
     std::string baselineVersion;   ///< what its GL_VERSION contains
-    sunder::ComparisonLimits baselineLimits, otherLimits;
+    sunder::image::ComparisonLimits baselineLimits, otherLimits;
     std::vector<SuitePicture> pictures;
 
     /// Throws InputError.
     const SuitePicture& picture(const std::string& name) const;
     bool madeBaselines(const sunder::gl::DeviceInfo&) const;
     /// Of the driver. A picture's own hold on the baseline driver; elsewhere the wider of both.
-    sunder::ComparisonLimits limits(const SuitePicture&, const sunder::gl::DeviceInfo&) const;
+    sunder::image::ComparisonLimits limits(const SuitePicture&,
+                                           const sunder::gl::DeviceInfo&) const;
 };
 
 /// Throw InputError naming the line of what is wrong.
@@ -61,10 +62,10 @@ std::filesystem::path baselineOf(const std::filesystem::path& folder, const Suit
 /// Pictures of the same scene and frame share one.
 std::filesystem::path stateOf(const std::filesystem::path& folder, const SuitePicture&);
 
-using SceneChange = std::function<void(sunder::Scene&)>;
+using SceneChange = std::function<void(sunder::scene::Scene&)>;
 
 /// Draws a picture of the suite in the test case's context, of the scene as `change` leaves it.
 /// Throws StateError where it cannot read the state.
-sunder::Image drawSuitePicture(
+sunder::image::Image drawSuitePicture(
     const SuitePicture&, const std::filesystem::path& folder,
-    const SceneChange& change = [](sunder::Scene&) {});
+    const SceneChange& change = [](sunder::scene::Scene&) {});

@@ -4,6 +4,7 @@
 #include "image/suite.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 using Catch::Contains;
 
 namespace {
@@ -67,7 +68,7 @@ TEST_CASE("a picture may have a solver, another's baseline, and a camera and lim
     CHECK(b.solver == SuiteSolver::Scatter);
     CHECK_FALSE(b.storedState());
     CHECK(baselineOf("x", b) == baselineOf("x", a));
-    CHECK(b.settings.mesh == DrawnMesh::Simulation);
+    CHECK(b.settings.mesh == render::DrawnMesh::Simulation);
     CHECK_THROWS_AS(suite.picture("c"), InputError);
 
     CHECK_FALSE(a.camera);
@@ -76,13 +77,13 @@ TEST_CASE("a picture may have a solver, another's baseline, and a camera and lim
     CHECK(near.picture("a").target == Vec3(0, -1, 0.5));
 
     CHECK(suite.limits(a, kBookworm).share == 0.002);
-    const ComparisonLimits own = suite.limits(b, kBookworm);
+    const image::ComparisonLimits own = suite.limits(b, kBookworm);
     CHECK(own.threshold == 12);
     CHECK(own.share == 0.001);
     CHECK(own.window == 0.15);
     CHECK(own.mean == 4);
     // A driver that needs wide bounds needs them for this picture too.
-    const ComparisonLimits wider = suite.limits(b, device("NVIDIA", "4.1.0"));
+    const image::ComparisonLimits wider = suite.limits(b, device("NVIDIA", "4.1.0"));
     CHECK(wider.threshold == 16);
     CHECK(wider.share == 0.005);
     CHECK(wider.window == 0.2);

@@ -7,6 +7,7 @@
 #include "image/renewal.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 namespace fs = std::filesystem;
 
 namespace {

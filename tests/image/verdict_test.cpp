@@ -8,12 +8,13 @@
 #include "support/test_folder.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 using Catch::Contains;
 namespace fs = std::filesystem;
 
 namespace {
 
-const ComparisonLimits kLimits;
+const image::ComparisonLimits kLimits;
 
 SuitePicture smallPicture() {
     SuitePicture picture;
@@ -42,13 +43,13 @@ void makeGlError() {
     glEnable(GL_RGBA8);
 }
 
-Image drawWithGlError(const SuitePicture& picture, const fs::path& folder) {
-    Image image = drawSuitePicture(picture, folder);
+image::Image drawWithGlError(const SuitePicture& picture, const fs::path& folder) {
+    image::Image image = drawSuitePicture(picture, folder);
     makeGlError();
     return image;
 }
 
-Image throwAfterGlError(const SuitePicture&, const fs::path&) {
+image::Image throwAfterGlError(const SuitePicture&, const fs::path&) {
     makeGlError();
     throw InputError("no such wall");
 }
@@ -72,11 +73,11 @@ TEST_CASE("missing baseline, damaged baseline, size mismatch and mismatch are to
     const Renewed renewed;
     const fs::path baseline = baselineOf(renewed.path(), renewed.picture);
     const std::string accept = "tools/update-baselines small";
-    Image picture = readPng(baseline);
+    image::Image picture = image::readPng(baseline);
 
     SECTION("altered") {
         for (std::size_t i = 0; i < picture.pixels.size() / 4; ++i) picture.pixels[i] ^= 0x40;
-        writePng(baseline, picture);
+        image::writePng(baseline, picture);
         const PictureResult result = renewed.result();
         CHECK(result.verdict == "mismatch");
         CHECK_THAT(result.sentence, Contains("share 0.25"));
@@ -86,7 +87,7 @@ TEST_CASE("missing baseline, damaged baseline, size mismatch and mismatch are to
     SECTION("of another size") {
         picture.pixels.resize(picture.pixels.size() - std::size_t{3} * picture.width);
         --picture.height;
-        writePng(baseline, picture);
+        image::writePng(baseline, picture);
         const PictureResult result = renewed.result();
         CHECK(result.verdict == "size mismatch");
         CHECK_THAT(result.sentence, Contains("64 x 48") && Contains("64 x 47"));
@@ -178,7 +179,7 @@ TEST_CASE("a picture with another's baseline is not accepted by itself") {
     gather.name = "gathered";
     gather.solver = SuiteSolver::Gather;
     CHECK(drawAndCompare(gather, renewed.path(), kLimits).holds());
-    gather.settings.style = DrawStyle::Wireframe;
+    gather.settings.style = render::DrawStyle::Wireframe;
     const PictureResult result = drawAndCompare(gather, renewed.path(), kLimits);
     CHECK(result.verdict == "mismatch");
     CHECK(result.accept.empty());

@@ -14,6 +14,7 @@
 #include "physics/calculix_process.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 namespace fs = std::filesystem;
 
 namespace {

@@ -18,9 +18,10 @@
 std::string calculixVersion(const std::string& name);
 
 /// m, per point of the mesh: at rest under `gravity`, m/s². Zero but at those that `asked` names.
-std::vector<sunder::Vec3> calculixSag(PhysicsReport&, const std::string& name, const JoinedMesh&,
-                                      const sunder::Material&, const sunder::Vec3& gravity,
-                                      const std::vector<std::size_t>& asked);
+std::vector<sunder::core::Vec3> calculixSag(PhysicsReport&, const std::string& name,
+                                            const JoinedMesh&, const sunder::core::Material&,
+                                            const sunder::core::Vec3& gravity,
+                                            const std::vector<std::size_t>& asked);
 
 enum class Mass {
     Consistent,  ///< CalculiX's own: the mass matrix that follows from the elements' shape
@@ -30,7 +31,7 @@ enum class Mass {
 
 /// Hz, the lowest `count` natural frequencies, ascending.
 std::vector<double> calculixFrequencies(PhysicsReport&, const std::string& name, const JoinedMesh&,
-                                        const sunder::Material&, int count, Mass);
+                                        const sunder::core::Material&, int count, Mass);
 
 /// The largest difference between two answers, as a share of the largest number in the first.
 /// Infinite where they are not of the same length or the second has what is no number.

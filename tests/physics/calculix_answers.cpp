@@ -98,10 +98,10 @@ CalculixAnswer storedAnswer(const fs::path& folder, const std::string& name,
 void storeAnswer(const fs::path& folder, const std::string& name, const std::string& input,
                  const CalculixAnswer& answer) {
     fs::create_directories(folder);
-    sunder::writeFile(folder / (name + ".dat"),
-                      answer.program + howAnswered(name, input) + '\n' + answer.printed);
+    sunder::files::writeFile(folder / (name + ".dat"),
+                             answer.program + howAnswered(name, input) + '\n' + answer.printed);
     if (input.size() <= kLargestStoredInput)
-        sunder::writeFile(folder / (name + ".inp"), input);
+        sunder::files::writeFile(folder / (name + ".inp"), input);
     else
         fs::remove(folder / (name + ".inp"));
 }

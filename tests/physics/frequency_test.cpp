@@ -11,6 +11,7 @@
 #include "physics/report.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 

@@ -4,6 +4,7 @@
 #include "physics/physics_worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 std::vector<Vec3> JoinedMesh::atPoints(const std::vector<Vec3>& field) const {
     std::vector<Vec3> result(points.size());

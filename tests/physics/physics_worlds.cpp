@@ -4,6 +4,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 WorldDescription elasticBlock(IVec3 cells, double cell, double youngModulus, double poissonRatio) {
     Material material = softElastic();

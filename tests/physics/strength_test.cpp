@@ -10,6 +10,7 @@
 #include "physics/report.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -56,7 +57,7 @@ TEST_CASE("positions agree with the reference after 100 steps of an unbroken imp
         second.density = 600;
         const World world(oddWalls(first, second));
         REQUIRE(world.laws()[1].limited);
-        ReferenceSolver reference(world);
+        cpu::ReferenceSolver reference(world);
         reference.advance(100);
         const State expected = reference.state();
         REQUIRE(largestDifference(expected.displacement, world.initialState().displacement) >
@@ -98,7 +99,7 @@ TEST_CASE("strongly deformed soft elements agree with the reference") {
                     .cast<float>()
                     .cast<double>();
         }
-        ReferenceSolver reference(world);
+        cpu::ReferenceSolver reference(world);
         reference.setState(start);
         reference.advance(20);
         const State expected = reference.state();
@@ -125,7 +126,7 @@ TEST_CASE("from the same snapshot, one step breaks the same bonds", "[long]") {
         WorldDescription description = oddWalls(first, second);
         description.fractureInterval = 1;
         const World world(description);
-        ReferenceSolver reference(world);
+        cpu::ReferenceSolver reference(world);
         const std::vector<SolverUnderTest> under = solversUnderTest();
         std::vector<std::unique_ptr<Solver>> solvers;
         for (const SolverUnderTest& each : under) solvers.push_back(each.make(world));

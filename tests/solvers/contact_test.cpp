@@ -12,6 +12,7 @@
 #include "support/touching_worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -219,7 +220,7 @@ TEST_CASE("every solver pushes as the reference does", "[long]") {
         const World world(*description);
         description->contact = false;
         const World untouched(*description);
-        ReferenceSolver reference(world), expected(world), without(untouched);
+        cpu::ReferenceSolver reference(world), expected(world), without(untouched);
         reference.setState(looseState(world));
         double largest = 0;
         for (int snapshot = 0; snapshot < 4; ++snapshot) {
@@ -273,12 +274,12 @@ TEST_CASE("whole bodies touch each other and themselves as the reference says") 
         const Vec3 bent(radius * std::sin(angle), radius * std::cos(angle), rest[2]);
         start.displacement[node] = (bent - rest).cast<float>().cast<double>();
     }
-    ReferenceSolver expected(world);
+    cpu::ReferenceSolver expected(world);
     expected.setState(start);
     expected.advance(1);
     d.contact = false;
     const World untouched(d);
-    ReferenceSolver without(untouched);
+    cpu::ReferenceSolver without(untouched);
     without.setState(start);
     without.advance(1);
     const State after = expected.state(), apart = without.state();

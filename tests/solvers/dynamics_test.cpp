@@ -5,6 +5,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 TEST_CASE("free fall follows ½gt²") {
     for (const SolverUnderTest& under : solversUnderTest()) {

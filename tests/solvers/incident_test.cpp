@@ -11,6 +11,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -239,7 +240,7 @@ TEST_CASE("every solver's incidents are the reference's") {
     const double length = GENERATE(0.1, 0.3);  // m, of cells along x: one sphere each, three
     CAPTURE(length);
     const World world(hitHeap(length));
-    ReferenceSolver start(world);
+    cpu::ReferenceSolver start(world);
     State state = world.initialState();
     for (int node = 0; node < world.nodeCount(); ++node)
         state.velocity[node] = world.restPosition(node)[1] > 0.3 ? Vec3(1, -2, 6) : Vec3(0, 0, 0);
@@ -258,7 +259,7 @@ TEST_CASE("every solver's incidents are the reference's") {
             solver.finish();
             return ring.take();
         };
-        ReferenceSolver reference(world);
+        cpu::ReferenceSolver reference(world);
         const std::vector<Incident> expected = found(reference);
         contacts += expected.size() - breaksOf(expected).size();
         breaks += breaksOf(expected).size();

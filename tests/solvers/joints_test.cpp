@@ -6,6 +6,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 TEST_CASE("copies of a joined lattice point stay bit-identical for 10,000 steps") {
     for (const SolverUnderTest& under : solversUnderTest()) {

@@ -8,6 +8,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 TEST_CASE("a heavy object stands on a light one, and a tower whose masses double upward",
           "[long]") {
@@ -75,7 +76,7 @@ TEST_CASE("what an object carried is forgotten once it is free") {
 }
 
 TEST_CASE("a ball on a chain hits a wall with its mass and no more") {
-    WorldDescription d = block({6, 6, 1}, loadMaterial("brick"));
+    WorldDescription d = block({6, 6, 1}, scene::loadMaterial("brick"));
     d.bodies[0].anchors = {Side::Left, Side::Right};
     d.gravity = {0, -9.81, 0};
     d.contact = true;

@@ -12,6 +12,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {}  // namespace
 
@@ -179,10 +180,10 @@ TEST_CASE("every solver's objects push as the reference's") {
     d.objects[2].orientation = Eigen::AngleAxisd(0.3, Vec3(1, 2, 2) / 3);
     for (ObjectDescription& object : d.objects) object.mayOverlap = true;  // by 5 mm
     const World world(d);
-    ReferenceSolver reference(world);
+    cpu::ReferenceSolver reference(world);
     for (int snapshot = 0; snapshot < 4; ++snapshot) {
         const State before = roundedToSingle(reference.state());
-        ReferenceSolver expected(world);
+        cpu::ReferenceSolver expected(world);
         expected.setState(before);
         expected.advance(1);
         const State after = expected.state();
@@ -218,7 +219,7 @@ TEST_CASE("a ball of 50 kg gives a free wall what it loses", "[long]") {
     for (const char* material :
          {"concrete", "brick", "wood", "planks", "glass", "rubber", "wood-thesis", "rubber-thesis"})
         for (const double speed : {5.0, 15.0, 40.0}) {
-            WorldDescription d = block({12, 8, 1}, loadMaterial(material));
+            WorldDescription d = block({12, 8, 1}, scene::loadMaterial(material));
             d.contact = true;
             d.objects = {ball(0.18, 50, {0.05, 0.42, 0.25}, {0, 0, -speed})};
             d.materials[0].damping = 0;

@@ -13,6 +13,7 @@
 #include "support/touching_worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -316,10 +317,10 @@ TEST_CASE("what parts does so as the reference says") {
     d.ground = true;
     d.gravity = {0, -9.81, 0};
     const World world(d);
-    ReferenceSolver reference(world);
+    cpu::ReferenceSolver reference(world);
     for (int snapshot = 0; snapshot < 4; ++snapshot) {
         const State before = roundedToSingle(reference.state());
-        ReferenceSolver expected(world);
+        cpu::ReferenceSolver expected(world);
         expected.setState(before);
         expected.advance(1);
         const State after = expected.state();

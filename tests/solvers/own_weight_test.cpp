@@ -11,12 +11,13 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
 /// The beam of the report: 4 m, 0.2 x 0.3 m, both ends anchored.
 WorldDescription beam(int substeps) {
-    WorldDescription d = block({40, 2, 3}, loadMaterial("concrete"));
+    WorldDescription d = block({40, 2, 3}, scene::loadMaterial("concrete"));
     d.bodies[0].size = {4, 0.2, 0.3};
     d.bodies[0].position = {0, 2, 0};
     d.bodies[0].anchors = {Side::Left, Side::Right};
@@ -48,7 +49,7 @@ WorldDescription yard() {
         body.cells = cells;
         body.position = position;
         body.anchors = std::move(anchors);
-        d.materials.push_back(loadMaterial(material));
+        d.materials.push_back(scene::loadMaterial(material));
         d.bodies.push_back(body);
     };
     add("brick", {0.3, 0.6, 0.3}, {3, 6, 3}, {-0.8, 0, 0}, {});
@@ -77,7 +78,7 @@ double loadOf(const World& world, const State& state) {
 /// The same world with strengths at which the largest load is `load`.
 WorldDescription loaded(WorldDescription d, double load) {
     const World world(d);
-    const double factor = loadOf(world, settledStart(world).state) / load;
+    const double factor = loadOf(world, cpu::settledStart(world).state) / load;
     for (Material& material : d.materials) {
         material.strength *= factor;
         material.boundaryStrength *= factor;
@@ -99,7 +100,7 @@ int brokenAfter(const SolverUnderTest& under, const World& world, const State& s
 TEST_CASE("a beam that bears its weight does not break under it, at any number of substeps") {
     for (const int substeps : {10, 50, 400}) {
         const World world(beam(substeps));
-        const Start start = settledStart(world);
+        const cpu::Start start = cpu::settledStart(world);
         REQUIRE(start.restless.empty());
         for (const SolverUnderTest& under : solversUnderTest()) {
             INFO(substeps << " substeps, " << under.name);
@@ -114,7 +115,7 @@ TEST_CASE("a beam that bears its weight does not break under it, at any number o
 
 TEST_CASE("what stands, hangs, juts out or leans on others bears its weight", "[long]") {
     const World world(yard());
-    const Start start = settledStart(world);
+    const cpu::Start start = cpu::settledStart(world);
     REQUIRE(start.restless.empty());
     REQUIRE(loadOf(world, start.state) < 1);
     // The first swing to the lowest point takes the slowest of them, the planks, a quarter second.
@@ -136,7 +137,7 @@ TEST_CASE("a beam breaks under its weight where that exceeds its strength, withi
                                              {beamOfCells(50), 1.08}}) {
             INFO("a load of " << load << " of what it bears");
             const World world(loaded(unloaded, load));
-            const State start = settledStart(world).state;
+            const State start = cpu::settledStart(world).state;
             // 8 % too much breaks a bond in 1/(0.08 c/L) = 0.08 s, 230 steps of c = 165 m/s, L = 1
             // m.
             CHECK((brokenAfter(under, world, start, 600) > 0) == (load > 1));

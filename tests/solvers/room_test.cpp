@@ -8,6 +8,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -104,7 +105,7 @@ TEST_CASE("positions agree with the reference after 100 steps against five barri
     const World world(d);
     for (const Vec3& velocity : {Vec3(4.1, 3.2, -5.3), Vec3(-3.3, -2.1, 4.7)}) {
         const State start = moving(world, velocity);
-        ReferenceSolver reference(world);
+        cpu::ReferenceSolver reference(world);
         reference.setState(start);
         reference.advance(100);
         const State expected = reference.state();

@@ -12,6 +12,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -160,7 +161,7 @@ TEST_CASE("nothing stops in the air for being slow a moment") {
     for (ObjectDescription& object : d.objects) object.drag = 0;
     d.objects[3].restitution = 0.9;
     const World world(d);
-    ReferenceSolver reference(world);
+    cpu::ReferenceSolver reference(world);
     const int steps[] = {3672, 900, 1500};  // 1.224 s: the top of the flight
     std::vector<State> expected;
     for (const int some : steps) {

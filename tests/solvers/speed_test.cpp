@@ -13,6 +13,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -27,7 +28,7 @@ State moving(const World& world, const Velocity& velocity) {
 
 /// A glass pane held all around, 1 m wide and 40 × 40 cells, and a ball of 4 kg in front of it.
 WorldDescription panePelted(double thickness, double speed) {
-    WorldDescription d = block({40, 40, 1}, loadMaterial("glass"));
+    WorldDescription d = block({40, 40, 1}, scene::loadMaterial("glass"));
     d.bodies[0].size = {1, 1, thickness};
     d.bodies[0].position = {0, 0.2, 0};
     d.bodies[0].anchors = {Side::Left, Side::Right, Side::Top, Side::Bottom};
@@ -285,7 +286,7 @@ TEST_CASE("a block thrown at a wall stays in front of it") {
 }
 
 TEST_CASE("a block thrown at a wall does not pass it without breaking it") {
-    const World world(wallAndBlock(loadMaterial("concrete")));
+    const World world(wallAndBlock(scene::loadMaterial("concrete")));
     for (const double speed : {20.0, 100.0, 300.0, 1000.0}) {
         for (const SolverUnderTest& under : touchingSolvers()) {
             // A search on a GPU looks three radii ahead: that is enough for 37 m/s here, and it

@@ -10,6 +10,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -53,7 +54,7 @@ TEST_CASE("a heavy body stands on a light one for ten seconds, to a thousand tim
     for (const double ratio : {30.0, 1000.0}) {
         const World world(twoBlocks(ratio));
         REQUIRE(world.unequalCells());
-        const Start start = settledStart(world);
+        const cpu::Start start = cpu::settledStart(world);
         REQUIRE(start.restless.empty());
         for (const SolverUnderTest& under : contactSolvers()) {
             INFO(under.name << ", 1 : " << ratio);

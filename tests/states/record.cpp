@@ -14,6 +14,7 @@
 #include "files/utf8_path.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -153,8 +154,8 @@ Record parseRecord(std::istream& text, const std::string& file) {
 
 Record readRecord(const std::filesystem::path& path) {
     std::ifstream file(path);
-    if (!file) throw InputError(utf8FromPath(path) + ": cannot be read");
-    return parseRecord(file, utf8FromPath(path));
+    if (!file) throw InputError(files::utf8FromPath(path) + ": cannot be read");
+    return parseRecord(file, files::utf8FromPath(path));
 }
 
 std::string toText(const Record& entries) {

@@ -35,7 +35,7 @@ std::string toText(const Record&);
 Record everyStep(int steps);
 
 /// Runs from where the solver is through the steps of `plan` and hashes what it has hashes of.
-Record record(sunder::Solver&, const Record& plan);
+Record record(sunder::core::Solver&, const Record& plan);
 
 /// A sentence: which step is the first that differs, and in which pass. Empty: none.
 std::string firstDifference(const Record& stored, const Record& now, int stepsPerFrame);

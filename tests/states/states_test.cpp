@@ -16,6 +16,7 @@
 #include "support/solver_under_test.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 namespace fs = std::filesystem;
 
 namespace {
@@ -37,8 +38,9 @@ const StoredScene kScenes[] = {
     {"wood", 12},     {"concrete", 12}, {"glass", 12},  {"rubber", 8},         {"wood-thesis", 12},
     {"touching", 20}, {"brick", 10},    {"planks", 12}, {"wrecking-ball", 10}, {"heap", 24}};
 
-Scene load(const std::string& name) {
-    Scene scene = loadScene(name == "touching" ? utf8FromPath(folder() / "touching.toml") : name);
+scene::Scene load(const std::string& name) {
+    scene::Scene scene = scene::loadScene(
+        name == "touching" ? files::utf8FromPath(folder() / "touching.toml") : name);
     if (name == "wrecking-ball") {
         // A second of swinging is left out: the ball begins a twentieth of a second before the
         // wall, on its circle of 4 m and as fast as the fall has made it.
@@ -83,14 +85,14 @@ std::string toAccept(const std::string& scene) {
 void report(const std::string& scene, const std::string& solver, const std::string& verdict,
             const std::string& sentence) {
     fs::create_directories(kReport);
-    writeFile(kReport / (solver + "-" + scene + ".json"),
-              nlohmann::json{{"scene", scene},
-                             {"solver", solver},
-                             {"driver", driverUnderTest()},
-                             {"verdict", verdict},
-                             {"sentence", sentence},
-                             {"accept", toAccept(scene)}}
-                  .dump(2));
+    files::writeFile(kReport / (solver + "-" + scene + ".json"),
+                     nlohmann::json{{"scene", scene},
+                                    {"solver", solver},
+                                    {"driver", driverUnderTest()},
+                                    {"verdict", verdict},
+                                    {"sentence", sentence},
+                                    {"accept", toAccept(scene)}}
+                         .dump(2));
 }
 
 /// Reports it, and returns what is wrong with it.
@@ -99,7 +101,7 @@ std::string compareWithStored(const StoredScene& stored, const SolverUnderTest& 
         report(stored.name, under.name, verdict, sentence);
         return sentence;
     };
-    const Scene scene = load(stored.name);
+    const scene::Scene scene = load(stored.name);
     const std::int64_t steps = std::int64_t{stored.frames} * scene.substeps;
     Record before;
     try {
@@ -108,7 +110,7 @@ std::string compareWithStored(const StoredScene& stored, const SolverUnderTest& 
         return say("no stored state", error.what());
     }
     if (before.empty() || before.back().step != steps)
-        return say("no stored state", utf8FromPath(fileOf(stored.name, under.name)) +
+        return say("no stored state", files::utf8FromPath(fileOf(stored.name, under.name)) +
                                           ": must reach to step " + std::to_string(steps));
     const World world(scene.world);
     const std::unique_ptr<Solver> solver = under.make(world);
@@ -145,15 +147,15 @@ void updateStates(const std::vector<std::string>& arguments) {
         for (const auto& [name, frames] : kScenes) {
             if (!arguments.empty() && name != arguments[0]) continue;
             any = true;
-            const Scene scene = load(name);
+            const scene::Scene scene = load(name);
             const World world(scene.world);
             const std::unique_ptr<Solver> solver = under.make(world);
             const fs::path file = fileOf(name, under.name);
             fs::create_directories(file.parent_path());
-            writeFile(file, "# Scene " + name + ", solver " + under.name + ", on " +
-                                driverUnderTest() + ". Made by tools/update-states.\n" +
-                                toText(record(*solver, everyStep(frames * scene.substeps))));
-            std::cout << "wrote " << utf8FromPath(file) << '\n';
+            files::writeFile(file, "# Scene " + name + ", solver " + under.name + ", on " +
+                                       driverUnderTest() + ". Made by tools/update-states.\n" +
+                                       toText(record(*solver, everyStep(frames * scene.substeps))));
+            std::cout << "wrote " << files::utf8FromPath(file) << '\n';
         }
     if (!any) throw InputError("no states are stored of a scene '" + arguments[0] + "'");
 }

@@ -5,6 +5,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -16,12 +17,12 @@ double extreme(Random& random) {
 
 }  // namespace
 
-Point point(const DisplayVertex& v) {
+Point point(const surface::DisplayVertex& v) {
     return {v.rest[0], v.rest[1], v.rest[2]};
 }
 
-std::vector<DisplayVertex> verticesOf(const World& world) {
-    return DisplayMesh(world).vertices();
+std::vector<surface::DisplayVertex> verticesOf(const World& world) {
+    return surface::DisplayMesh(world).vertices();
 }
 
 WorldDescription wildWall(int seed) {

@@ -3,6 +3,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 ObjectDescription ball(double radius, double mass, const Vec3& position, const Vec3& velocity) {
     ObjectDescription object;

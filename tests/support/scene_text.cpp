@@ -4,6 +4,7 @@
 #include "scene/scene.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 std::string messageOf(const std::function<void()>& action) {
     try {
@@ -15,11 +16,11 @@ std::string messageOf(const std::function<void()>& action) {
 }
 
 std::string sceneError(const std::string& text) {
-    return messageOf([&] { parseScene(text, "walls.toml", {}); });
+    return messageOf([&] { scene::parseScene(text, "walls.toml", {}); });
 }
 
 std::string materialError(const std::string& text) {
-    return messageOf([&] { parseMaterial(text, "stuff.toml"); });
+    return messageOf([&] { scene::parseMaterial(text, "stuff.toml"); });
 }
 
 void checkParts(const std::string& message, const std::vector<std::string>& parts) {

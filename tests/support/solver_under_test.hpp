@@ -11,7 +11,7 @@
 struct SolverUnderTest {
     std::string name;
     /// `world` must outlive the solver.
-    std::function<std::unique_ptr<sunder::Solver>(const sunder::World& world)> make;
+    std::function<std::unique_ptr<sunder::core::Solver>(const sunder::core::World& world)> make;
     double epsilon;  ///< unit roundoff of its arithmetic; tolerances are stated in multiples of it
     bool sleeps = false;   ///< lets bodies at rest sleep
     bool contact = false;  ///< cells and objects push each other where the world says so

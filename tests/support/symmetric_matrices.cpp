@@ -5,6 +5,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 std::vector<Mat3> symmetricMatrices(int count) {
     std::vector<Mat3> result;

@@ -6,7 +6,7 @@
 /// `count` symmetric matrices, rounded to single precision: random ones of all sizes from 1e-6 to
 /// 1e9, diagonal ones, multiples of the identity, double and nearly double eigenvalues, rank one
 /// and two, zero.
-std::vector<sunder::Mat3> symmetricMatrices(int count);
+std::vector<sunder::core::Mat3> symmetricMatrices(int count);
 
 /// How far values and vectors are from an eigen-decomposition of A by Eigen, all relative to |A|.
 struct EigenErrors {
@@ -16,5 +16,5 @@ struct EigenErrors {
     double vector;  ///< largest angle's sine to Eigen's eigenvector, over those with a gap of 1 %
                     ///< of |A| on both sides
 };
-EigenErrors eigenErrors(const sunder::Mat3& A, const sunder::Vec3& values,
-                        const sunder::Mat3& vectors);
+EigenErrors eigenErrors(const sunder::core::Mat3& A, const sunder::core::Vec3& values,
+                        const sunder::core::Mat3& vectors);

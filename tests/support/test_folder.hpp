@@ -10,7 +10,7 @@
 class TestFolder {
   public:
     TestFolder()
-        : path_(sunder::TemporaryFile(std::filesystem::temp_directory_path() / "sunder-test")
+        : path_(sunder::files::TemporaryFile(std::filesystem::temp_directory_path() / "sunder-test")
                     .path()) {
         std::filesystem::create_directories(path_);
     }

@@ -5,6 +5,7 @@
 #include "core/links.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 Material cellMaterial(double restitution, double friction) {
     Material material = softElastic();

@@ -6,17 +6,17 @@
 inline constexpr double kEdge = 0.1;  // m
 
 /// Soft, elastic, undamped.
-sunder::Material cellMaterial(double restitution, double friction);
+sunder::core::Material cellMaterial(double restitution, double friction);
 /// Bodies of one cell of 0.1 m each; `places` are their centres.
-sunder::WorldDescription singleCells(const std::vector<sunder::Vec3>& places,
-                                     const sunder::Material& material);
+sunder::core::WorldDescription singleCells(const std::vector<sunder::core::Vec3>& places,
+                                           const sunder::core::Material& material);
 /// Of a field per node, over a cell's corners.
-sunder::Vec3 meanOf(const std::vector<sunder::Vec3>& field, int cell);
+sunder::core::Vec3 meanOf(const std::vector<sunder::core::Vec3>& field, int cell);
 /// Every bond broken with probability `share`.
-void breakBonds(sunder::State& state, double share);
+void breakBonds(sunder::core::State& state, double share);
 /// A loose wall of 10 × 10 × 2 cells on the ground; looseState(): four fifths of its bonds broken,
 /// its upper half pushed over.
-sunder::WorldDescription looseWall();
-sunder::State looseState(const sunder::World& world);
+sunder::core::WorldDescription looseWall();
+sunder::core::State looseState(const sunder::core::World& world);
 /// m: by how much spheres of cells that share no joined node overlap, at most.
-double deepestOverlap(const sunder::World& world, const sunder::State& state);
+double deepestOverlap(const sunder::core::World& world, const sunder::core::State& state);

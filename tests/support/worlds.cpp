@@ -7,6 +7,7 @@
 #include "core/strength_map.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 WorldDescription block(IVec3 cells, Material material) {
     WorldDescription d;

@@ -17,24 +17,24 @@ using namespace sunder;
 
 namespace {
 
-Image plain(int width, int height, const Colour& colour) {
-    Image image{width, height, std::vector<std::uint8_t>(std::size_t{3} * width * height)};
-    fillRectangle(image, 0, 0, width, height, colour);
+image::Image plain(int width, int height, const image::Colour& colour) {
+    image::Image image{width, height, std::vector<std::uint8_t>(std::size_t{3} * width * height)};
+    image::fillRectangle(image, 0, 0, width, height, colour);
     return image;
 }
 
-Colour at(const Image& image, int x, int y) {
+image::Colour at(const image::Image& image, int x, int y) {
     const std::uint8_t* p = image.pixels.data() + 3 * (std::ptrdiff_t{image.width} * y + x);
     return {p[0], p[1], p[2]};
 }
 
-constexpr Colour kBlue{20, 40, 200}, kWhite{255, 255, 255};
+constexpr image::Colour kBlue{20, 40, 200}, kWhite{255, 255, 255};
 
 struct Extent {
     int left = 1 << 20, top = 1 << 20, right = -1, bottom = -1, pixels = 0;
 };
 /// Around all pixels of a colour; right and bottom are the last of them.
-Extent extentOf(const Image& image, const Colour& colour) {
+Extent extentOf(const image::Image& image, const image::Colour& colour) {
     Extent box;
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
@@ -48,16 +48,16 @@ Extent extentOf(const Image& image, const Colour& colour) {
     return box;
 }
 
-Image written(const std::string& text, int scale) {
-    Image image = plain(textWidth(text, scale) + 20, 60, kBlue);
-    drawText(image, 10, 20, text, scale);
+image::Image written(const std::string& text, int scale) {
+    image::Image image = plain(image::textWidth(text, scale) + 20, 60, kBlue);
+    image::drawText(image, 10, 20, text, scale);
     return image;
 }
 
-double totalLight(const Image& image) {
+double totalLight(const image::Image& image) {
     double sum = 0;
     for (const std::uint8_t value : image.pixels)
-        sum += linearFromSrgb(static_cast<float>(value) / 255);
+        sum += image::linearFromSrgb(static_cast<float>(value) / 255);
     return sum / (3.0 * image.width * image.height);
 }
 
@@ -67,11 +67,11 @@ TEST_CASE("A sheet's tiles fill it row by row, within its width", "[image]") {
     for (const auto& [width, height] : {std::pair{1280, 720}, {160, 90}, {500, 1200}, {16, 16}})
         for (int count = 1; count <= 64; ++count) {
             CAPTURE(width, height, count);
-            const SheetLayout layout(count, width, height);
-            REQUIRE(layout.columns <= SheetLayout::kMostColumns);
+            const image::SheetLayout layout(count, width, height);
+            REQUIRE(layout.columns <= image::SheetLayout::kMostColumns);
             REQUIRE(layout.columns * layout.rows >= count);
             REQUIRE(layout.columns * (layout.rows - 1) < count);  // no row without a picture
-            REQUIRE(layout.width() <= SheetLayout::kMostWidth);
+            REQUIRE(layout.width() <= image::SheetLayout::kMostWidth);
             REQUIRE(layout.tileWidth <= width);
             REQUIRE(layout.tileHeight <= height);
             const double shape = static_cast<double>(height) / width;
@@ -79,29 +79,29 @@ TEST_CASE("A sheet's tiles fill it row by row, within its width", "[image]") {
             REQUIRE(layout.left(count - 1) + layout.tileWidth <= layout.width());
             REQUIRE(layout.top(count - 1) + layout.tileHeight == layout.height());
         }
-    const SheetLayout three(3, 960, 540);
+    const image::SheetLayout three(3, 960, 540);
     CHECK(three.columns == 3);
     CHECK(three.rows == 1);
     CHECK(three.tileWidth == 637);  // (1920 - 2 * 4) / 3
-    const SheetLayout five(5, 960, 540);
+    const image::SheetLayout five(5, 960, 540);
     CHECK(five.columns == 3);
     CHECK(five.rows == 2);
 }
 
 TEST_CASE("Each tile and caption lands in its place", "[image]") {
-    const SheetLayout layout(5, 200, 190);
-    ContactSheet sheet(layout);
+    const image::SheetLayout layout(5, 200, 190);
+    image::ContactSheet sheet(layout);
     const std::array<std::string, 5> captions{"0.00 s", "0.25 s", "0.50 s", "1.75 s", "12.00 s"};
     for (int i = 0; i < 5; ++i)
         sheet.add(plain(200, 190, {20, static_cast<std::uint8_t>(40 * i), 200}), captions[i]);
-    const Image& image = sheet.image();
-    REQUIRE(image.width == 3 * 200 + 2 * SheetLayout::kGap);
-    REQUIRE(image.height == 2 * 190 + SheetLayout::kGap);
+    const image::Image& image = sheet.image();
+    REQUIRE(image.width == 3 * 200 + 2 * image::SheetLayout::kGap);
+    REQUIRE(image.height == 2 * 190 + image::SheetLayout::kGap);
     for (int i = 0; i < 5; ++i) {
         CAPTURE(i);
         const int left = i % 3 * 204, top = i / 3 * 194;
-        Image expected = plain(200, 190, {20, static_cast<std::uint8_t>(40 * i), 200});
-        drawText(expected, 8, 8, captions[i], 2);
+        image::Image expected = plain(200, 190, {20, static_cast<std::uint8_t>(40 * i), 200});
+        image::drawText(expected, 8, 8, captions[i], 2);
         int different = 0;
         for (int y = 0; y < 190; ++y)
             for (int x = 0; x < 200; ++x)
@@ -113,23 +113,24 @@ TEST_CASE("Each tile and caption lands in its place", "[image]") {
 }
 
 TEST_CASE("Scaled down, a picture keeps its light", "[image]") {
-    Image checked = plain(8, 6, {0, 0, 0});
+    image::Image checked = plain(8, 6, {0, 0, 0});
     for (int y = 0; y < 6; ++y)
-        for (int x = y % 2; x < 8; x += 2) fillRectangle(checked, x, y, x + 1, y + 1, kWhite);
-    const Image half = scaledDown(checked, 4, 3);
+        for (int x = y % 2; x < 8; x += 2)
+            image::fillRectangle(checked, x, y, x + 1, y + 1, kWhite);
+    const image::Image half = image::scaledDown(checked, 4, 3);
     for (const std::uint8_t value : half.pixels) CHECK(value == 188);  // half the light, not 128
 
-    Image spot = plain(97, 61, {3, 3, 3});
-    fillRectangle(spot, 40, 30, 47, 33, {255, 120, 10});
+    image::Image spot = plain(97, 61, {3, 3, 3});
+    image::fillRectangle(spot, 40, 30, 47, 33, {255, 120, 10});
     for (const auto& [width, height] : {std::pair{97, 61}, {31, 17}, {48, 60}, {7, 61}, {1, 1}}) {
         CAPTURE(width, height);
-        const Image small = scaledDown(spot, width, height);
+        const image::Image small = image::scaledDown(spot, width, height);
         REQUIRE(small.pixels.size() == std::size_t{3} * width * height);
         CHECK(totalLight(small) == Approx(totalLight(spot)).epsilon(0.03));
     }
-    CHECK(scaledDown(spot, 97, 61).pixels == spot.pixels);
+    CHECK(image::scaledDown(spot, 97, 61).pixels == spot.pixels);
     // The spot stays where it is.
-    const Image small = scaledDown(spot, 32, 20);
+    const image::Image small = image::scaledDown(spot, 32, 20);
     CHECK(at(small, 14, 10)[0] > 200);
     CHECK(at(small, 12, 10)[0] < 10);
 }
@@ -137,13 +138,13 @@ TEST_CASE("Scaled down, a picture keeps its light", "[image]") {
 TEST_CASE("Text stands where it is put, white in a dark outline", "[image]") {
     for (const int scale : {1, 2, 3}) {
         CAPTURE(scale);
-        const Image image = written("gMQ 0.35 s", scale);
+        const image::Image image = written("gMQ 0.35 s", scale);
         const Extent box = extentOf(image, kWhite);
         CHECK(box.left >= 10);
         CHECK(box.left < 10 + 2 * scale);
-        CHECK(box.right < 10 + textWidth("gMQ 0.35 s", scale));
+        CHECK(box.right < 10 + image::textWidth("gMQ 0.35 s", scale));
         CHECK(box.top >= 20);
-        CHECK(box.bottom == 20 + kTextRows * scale - 1);  // the g's
+        CHECK(box.bottom == 20 + image::kTextRows * scale - 1);  // the g's
         for (int y = box.top; y <= box.bottom; ++y)
             for (int x = box.left; x <= box.right; ++x) {
                 if (at(image, x, y) != kWhite) continue;
@@ -163,8 +164,8 @@ TEST_CASE("Every character is drawn whole, and no two letters or digits look ali
         // A buffer that is too small would cut a line short.
         REQUIRE(extentOf(written(std::string(30, c), 1), kWhite).pixels == 30 * one);
         if (!std::isalnum(c)) continue;
-        Image image = plain(40, 40, kBlue);
-        drawText(image, 10, 10, std::string(1, c), 2);
+        image::Image image = plain(40, 40, kBlue);
+        image::drawText(image, 10, 10, std::string(1, c), 2);
         shapes.emplace(image.pixels.begin(), image.pixels.end());
     }
     CHECK(shapes.size() == 26 + 26 + 10);
@@ -173,11 +174,11 @@ TEST_CASE("Every character is drawn whole, and no two letters or digits look ali
 }
 
 TEST_CASE("Text is cut off at the picture's edge", "[image]") {
-    const Image whole = written("0.35 s", 2);
+    const image::Image whole = written("0.35 s", 2);
     for (const auto& [x, y] : {std::pair{-15, 20}, {10, -5}, {30, 20}, {10, 52}, {-900, 900}}) {
         CAPTURE(x, y);
-        Image image = plain(whole.width, whole.height, kBlue);
-        drawText(image, x, y, "0.35 s", 2);
+        image::Image image = plain(whole.width, whole.height, kBlue);
+        image::drawText(image, x, y, "0.35 s", 2);
         int different = 0;
         for (int row = 0; row < image.height; ++row)
             for (int column = 0; column < image.width; ++column) {

@@ -6,6 +6,7 @@
 #include "catch.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 TEST_CASE("a cell's spheres fill it, at most eight of them") {
     const auto check = [](const Vec3& size, const IVec3& count, double radius) {

@@ -12,6 +12,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -63,7 +64,7 @@ TEST_CASE("any number of threads gives the same bits") {
         std::vector<double> damage;
         for (const int threads : {1, 2, 7}) {
             INFO(threads << " threads" << (contact ? ", contact" : ""));
-            CpuSolver solver(world, threads);
+            cpu::CpuSolver solver(world, threads);
             CHECK(solver.threads() == threads);
             solver.advance(150);
             solver.advance(51);
@@ -91,7 +92,7 @@ TEST_CASE("any number of threads finds the same incidents") {
     for (const int threads : {1, 2, 7}) {
         INFO(threads << " threads");
         IncidentRing ring(1 << 16);
-        CpuSolver solver(world, threads);
+        cpu::CpuSolver solver(world, threads);
         solver.setIncidents(&ring);
         solver.advance(203);
         const std::vector<Incident> incidents = ring.take();
@@ -129,7 +130,7 @@ TEST_CASE("every instruction set gives the same bits") {
     for (const std::int64_t target : targets) {
         INFO(cpu::simdTargetName(target));
         cpu::useSimdTarget(target);
-        CpuSolver solver(world, 1);
+        cpu::CpuSolver solver(world, 1);
         solver.advance(120);
         const std::uint64_t hash = stateHash(solver.state());
         if (expected == 0) expected = hash;
@@ -161,8 +162,8 @@ TEST_CASE("bodies released and adopted again go on, in contact with those held")
     WorldDescription description = manyBodies();
     description.contact = true;
     const World world(description);
-    CpuSolver solver(world, 2), other(world, 2);
-    for (CpuSolver* each : {&solver, &other}) each->advance(102);
+    cpu::CpuSolver solver(world, 2), other(world, 2);
+    for (cpu::CpuSolver* each : {&solver, &other}) each->advance(102);
     State state = solver.state();
     solver.release({2}, state);
     solver.adopt({2}, state);
@@ -182,8 +183,8 @@ TEST_CASE("memory stays below 200 bytes a tetrahedron") {
     small.bodies[0].anchors = {Side::Bottom};
     small.events = {hit(0, {0, 0.3, 0}, {0, 0, -1})};
     for (int i = 1; i < 50; ++i) small.bodies.push_back(small.bodies[0]);
-    CHECK(CpuSolver(World(small), 1).bytesPerTetrahedron() < 200);
+    CHECK(cpu::CpuSolver(World(small), 1).bytesPerTetrahedron() < 200);
     WorldDescription large = block({100, 50, 2}, brittle());
     large.ground = true;
-    CHECK(CpuSolver(World(large), 2).bytesPerTetrahedron() < 110);
+    CHECK(cpu::CpuSolver(World(large), 2).bytesPerTetrahedron() < 110);
 }

@@ -1,5 +1,5 @@
 // The mesh that is seen: closed sections that interlock, whatever the parameters.
-#include "core/display_mesh.hpp"
+#include "surface/display_mesh.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -14,6 +14,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -23,9 +24,9 @@ using Corners = std::array<Vec3, 3>;
 struct Sections {
     std::map<int, std::array<std::vector<std::array<Point, 3>>, 6>> faces;
 
-    explicit Sections(const DisplayMesh& mesh) {
+    explicit Sections(const surface::DisplayMesh& mesh) {
         for (std::size_t i = 0; i < mesh.indices().size(); i += 3) {
-            const DisplayVertex& first = mesh.vertices()[mesh.indices()[i]];
+            const surface::DisplayVertex& first = mesh.vertices()[mesh.indices()[i]];
             auto& face =
                 faces[static_cast<int>(first.cell)][first.code >> SUNDER_DISPLAY_FACE_BIT & 7];
             auto& triangle = face.emplace_back();
@@ -106,7 +107,7 @@ TEST_CASE("sections are closed, interlock and fill the wall, for 200 seeds and w
         CAPTURE(seed);
         const World world(wildWall(seed));
         const Body& body = world.bodies()[0];
-        const Sections sections{DisplayMesh(world)};
+        const Sections sections{surface::DisplayMesh(world)};
         REQUIRE(static_cast<int>(sections.faces.size()) == world.presentCells());
 
         double sum = 0;
@@ -154,7 +155,7 @@ TEST_CASE("the outside of a wall stays flat and its edges straight", "[display]"
         const World world(wildWall(seed));
         const Body& body = world.bodies()[0];
         int outside = 0;
-        for (const DisplayVertex& v : verticesOf(world)) {
+        for (const surface::DisplayVertex& v : verticesOf(world)) {
             if (v.code & SUNDER_DISPLAY_FACE_INNER) continue;
             ++outside;
             const int face = static_cast<int>(v.code >> SUNDER_DISPLAY_FACE_BIT & 7),
@@ -172,7 +173,8 @@ TEST_CASE("a seed makes the same sections again, another makes others", "[displa
     const auto make = [&](std::uint64_t seed) {
         description.seed = seed;
         std::vector<Point> points;
-        for (const DisplayVertex& v : verticesOf(World(description))) points.push_back(point(v));
+        for (const surface::DisplayVertex& v : verticesOf(World(description)))
+            points.push_back(point(v));
         return points;
     };
     const std::vector<Point> first = make(1), again = make(1), other = make(2);
@@ -183,12 +185,12 @@ TEST_CASE("a seed makes the same sections again, another makes others", "[displa
 
 TEST_CASE("without edge points and random sizes sections are the cells", "[display]") {
     const World world(block({4, 3, 1}, softElastic()));
-    const DisplayMesh mesh(world);
+    const surface::DisplayMesh mesh(world);
     // Six faces of four corners, as on the thesis's rubber.
     CHECK(mesh.vertices().size() == std::size_t{24} * world.cellCount());
     CHECK(mesh.indices().size() == std::size_t{36} * world.cellCount());
     std::set<Point> points;
-    for (const DisplayVertex& v : mesh.vertices()) points.insert(point(v));
+    for (const surface::DisplayVertex& v : mesh.vertices()) points.insert(point(v));
     std::set<Point> corners;
     for (int node = 0; node < world.nodeCount(); ++node) {
         const Eigen::Vector3f x = world.restPosition(node).cast<float>();
@@ -205,7 +207,7 @@ TEST_CASE("the thesis's edge points: as many as the frequency, as far as the amp
     m.horizEdgeAmplitude = 0.02;
     const World world(block({3, 2, 1}, m));
     const Body& body = world.bodies()[0];
-    const DisplayLattice lattice(world, 0, 100);
+    const surface::DisplayLattice lattice(world, 0, 100);
     CHECK(lattice.segments()[0] == 4);
     CHECK(lattice.segments()[1] == 1);
     // Along the edge between the two rows, at the front.
@@ -227,18 +229,18 @@ TEST_CASE("a mesh that would be too large has fewer edge points, or is refused",
     m.horizEdgeAmplitude = m.vertEdgeAmplitude = 0.02;
     m.avgDisplaySectionWidth = m.avgDisplaySectionHeight = 0.1;
     const World world(block({3, 3, 1}, m));
-    const DisplayMesh whole(world);
+    const surface::DisplayMesh whole(world);
     CHECK_FALSE(whole.simplified());
     const std::int64_t size = static_cast<std::int64_t>(whole.vertices().size());
-    CHECK_FALSE(DisplayMesh(world, size).simplified());
-    const DisplayMesh fewer(world, size - 1);
+    CHECK_FALSE(surface::DisplayMesh(world, size).simplified());
+    const surface::DisplayMesh fewer(world, size - 1);
     CHECK(fewer.simplified());
     CHECK(fewer.vertices().size() < whole.vertices().size());
     CHECK(fewer.vertices().size() > whole.vertices().size() / 2);
     // Bare cells have 24 each.
-    CHECK(DisplayMesh(world, 24 * 9).vertices().size() == 24 * 9);
+    CHECK(surface::DisplayMesh(world, 24 * 9).vertices().size() == 24 * 9);
     CHECK_THROWS_WITH(
-        DisplayMesh(world, 24 * 9 - 1),
+        surface::DisplayMesh(world, 24 * 9 - 1),
         Catch::Contains("216 vertices, more than 215") && Catch::Contains("--mesh simulation"));
 }
 
@@ -248,7 +250,7 @@ TEST_CASE("edges differ from front to back: splinters, not a sawn profile", "[di
     m.horizEdgeAmplitude = m.vertEdgeAmplitude = 0.02;
     m.avgDisplaySectionWidth = m.avgDisplaySectionHeight = 0.1;
     const World world(block({3, 3, 1}, m));
-    const DisplayLattice lattice(world, 0, 100);
+    const surface::DisplayLattice lattice(world, 0, 100);
     REQUIRE(lattice.segments()[2] >= 2);
     int differing = 0, points = 0;
     for (int i = 0; i < lattice.size()[0]; ++i) {
@@ -273,9 +275,9 @@ TEST_CASE("broken edges of bricks stay in the mortar", "[display]") {
     m.randDisplaySectionWidth = m.randDisplaySectionHeight = 0.05;
     const World world(block({20, 8, 1}, m));
     const Body& body = world.bodies()[0];
-    const DisplayLattice lattice(world, 0, 100);
+    const surface::DisplayLattice lattice(world, 0, 100);
     int bed = 0, head = 0, inside = 0;
-    for (const DisplayVertex& v : verticesOf(world)) {
+    for (const surface::DisplayVertex& v : verticesOf(world)) {
         if (!(v.code & SUNDER_DISPLAY_FACE_INNER)) continue;
         const Vec3 p = v.rest.cast<double>() - body.origin;
         const int axis = static_cast<int>(v.code >> SUNDER_DISPLAY_FACE_BIT & 7) / 2;
@@ -308,7 +310,7 @@ TEST_CASE("chunks have the outline of their Voronoi cells, not the stairs of the
     const Body& body = world.bodies()[0];
     const std::uint64_t seed = world.bodySeed(0);
     int on = 0, all = 0;
-    for (const DisplayVertex& v : verticesOf(world)) {
+    for (const surface::DisplayVertex& v : verticesOf(world)) {
         if (!(v.code & SUNDER_DISPLAY_FACE_BOUNDARY)) continue;
         const Vec3 p = v.rest.cast<double>() - body.origin;
         // On the rim of the wall points only move along it.

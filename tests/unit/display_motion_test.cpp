@@ -4,11 +4,12 @@
 #include <map>
 
 #include "catch.hpp"
-#include "core/display_mesh.hpp"
 #include "support/display_sections.hpp"
 #include "support/worlds.hpp"
+#include "surface/display_mesh.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -32,8 +33,8 @@ TEST_CASE("an intact wall has no seams when it bends", "[display]") {
         CAPTURE(seed);
         const BentWall wall(seed);
         std::map<Point, Vec3> places;
-        for (const DisplayVertex& v : verticesOf(wall.world)) {
-            const Vec3 place = displayedPosition(wall.world, wall.state, v);
+        for (const surface::DisplayVertex& v : verticesOf(wall.world)) {
+            const Vec3 place = surface::displayedPosition(wall.world, wall.state, v);
             const auto [known, isNew] = places.emplace(point(v), place);
             if (!isNew) REQUIRE(known->second == place);  // to the bit
         }
@@ -50,8 +51,9 @@ TEST_CASE("sections that still hang together around a point share it, others lea
         for (double& damage : wall.state.damage)
             if (damage < 1 && random() > 0) damage = 1;
         std::map<std::pair<Point, int>, Vec3> places;
-        for (const DisplayVertex& v : verticesOf(world))
-            places[{point(v), static_cast<int>(v.cell)}] = displayedPosition(world, wall.state, v);
+        for (const surface::DisplayVertex& v : verticesOf(world))
+            places[{point(v), static_cast<int>(v.cell)}] =
+                surface::displayedPosition(world, wall.state, v);
         int joined = 0, apart = 0;
         for (const auto& [key, place] : places) {
             const auto& [p, cell] = key;
@@ -79,7 +81,7 @@ TEST_CASE("a section that has come loose moves as one body, whole", "[display]")
         State state = world.initialState();
         const int cell = world.bodies()[0].cellAt({1, 1, 0});
         detach(world, state, cell);
-        const DisplayMesh mesh(world);
+        const surface::DisplayMesh mesh(world);
         const State before = state;
         const Mat3 turn = Eigen::AngleAxisd(1.1, Vec3(1, 2, -1).normalized()).toRotationMatrix();
         const Vec3 by(0.3, -0.2, 0.7);
@@ -88,9 +90,9 @@ TEST_CASE("a section that has come loose moves as one body, whole", "[display]")
             const Vec3 x = world.restPosition(node);
             state.displacement[node] = turn * x + by - x;
         }
-        for (const DisplayVertex& v : mesh.vertices()) {
-            const Vec3 then = displayedPosition(world, before, v);
-            const Vec3 now = displayedPosition(world, state, v);
+        for (const surface::DisplayVertex& v : mesh.vertices()) {
+            const Vec3 then = surface::displayedPosition(world, before, v);
+            const Vec3 now = surface::displayedPosition(world, state, v);
             if (static_cast<int>(v.cell) == cell)
                 // Rest positions of nodes are rounded to single precision.
                 REQUIRE((now - (turn * then + by)).norm() < 1e-6);

@@ -3,6 +3,7 @@
 #include "support/symmetric_matrices.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 TEMPLATE_TEST_CASE("eigenvalues and eigenvectors match Eigen's", "", float, double) {
     EigenErrors worst{0, 0, 0, 0};

@@ -20,13 +20,14 @@
 
 namespace fs = std::filesystem;
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
 std::set<std::string> entries(const fs::path& folder) {
     std::set<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder))
-        names.insert(utf8FromPath(entry.path().filename()));
+        names.insert(files::utf8FromPath(entry.path().filename()));
     return names;
 }
 
@@ -65,8 +66,8 @@ TEST_CASE("Files get the first number that nothing has", "[files]") {
     const fs::path named = folder.path() / "a.wood.png";
     std::ofstream(folder.path() / "a.wood-001.png") << "mine";
     fs::create_directory(folder.path() / "a.wood-003.png");
-    CHECK(writeNumberedFile(named, "x") == folder.path() / "a.wood-002.png");
-    CHECK(writeNumberedFile(named, "y") == folder.path() / "a.wood-004.png");
+    CHECK(files::writeNumberedFile(named, "x") == folder.path() / "a.wood-002.png");
+    CHECK(files::writeNumberedFile(named, "y") == folder.path() / "a.wood-004.png");
     CHECK(contents(folder.path() / "a.wood-001.png") == "mine");
     CHECK(contents(folder.path() / "a.wood-002.png") == "x");
     CHECK(entries(folder.path()).size() == 4);
@@ -78,8 +79,8 @@ TEST_CASE("However many want a number at once, each gets one of its own and none
     constexpr int kEach = 25;
     together([&](int who) {
         for (int i = 0; i < kEach; ++i)
-            writeNumberedFile(folder.path() / "wood.png",
-                              std::to_string(who) + "," + std::to_string(i));
+            files::writeNumberedFile(folder.path() / "wood.png",
+                                     std::to_string(who) + "," + std::to_string(i));
     });
     std::set<std::string> kept;
     for (const std::string& name : entries(folder.path()))
@@ -96,7 +97,7 @@ TEST_CASE("Of many that make a new file at once, one does, and nobody replaces i
     std::string winner[8];
     together([&](int who) {
         winner[who] = std::to_string(who);
-        if (writeNewFile(folder.path() / "a.toml", winner[who]))
+        if (files::writeNewFile(folder.path() / "a.toml", winner[who]))
             ++wrote;
         else
             winner[who].clear();
@@ -114,9 +115,9 @@ TEST_CASE("Whether a file can be written is tried, and leaves no trace", "[files
     std::ofstream(here / "file") << "mine";
     fs::create_directory(here / "folder.json");
     const std::set<std::string> before = entries(here);
-    checkWritable("");
-    checkWritable(here / "new.json");
-    checkWritable(here / "file");
+    files::checkWritable("");
+    files::checkWritable(here / "new.json");
+    files::checkWritable(here / "file");
     const std::string tooLong(300, 'a');
     struct Case {
         fs::path path;
@@ -127,16 +128,17 @@ TEST_CASE("Whether a file can be written is tried, and leaves no trace", "[files
           Case{here / "file" / "a.json", "is not a folder"},
           Case{here / "folder.json", "it is a folder"}, Case{here / "", "it is a folder"},
           Case{here / tooLong, "cannot be written: "}}) {
-        INFO(utf8FromPath(c.path));
-        CHECK_THROWS_WITH(checkWritable(c.path),
-                          Catch::StartsWith(utf8FromPath(c.path) + ": cannot be written: ") &&
-                              Catch::Contains(c.said));
-        CHECK_THROWS_AS(writeFile(c.path, "x"), InputError);  // it was right
+        INFO(files::utf8FromPath(c.path));
+        CHECK_THROWS_WITH(
+            files::checkWritable(c.path),
+            Catch::StartsWith(files::utf8FromPath(c.path) + ": cannot be written: ") &&
+                Catch::Contains(c.said));
+        CHECK_THROWS_AS(files::writeFile(c.path, "x"), InputError);  // it was right
     }
 #ifdef __linux__
     // A folder in which nobody can make a file, whatever its permissions say.
-    CHECK_THROWS_WITH(checkWritable("/proc/a.json"), Catch::Contains("cannot be written: "));
-    checkWritable("/dev/null");
+    CHECK_THROWS_WITH(files::checkWritable("/proc/a.json"), Catch::Contains("cannot be written: "));
+    files::checkWritable("/dev/null");
 #endif
     CHECK(entries(here) == before);
     CHECK(contents(here / "file") == "mine");
@@ -147,7 +149,7 @@ TEST_CASE("A pipe is no place to try", "[files]") {
     const TestFolder folder;
     const std::string pipe = (folder.path() / "pipe").string();
     REQUIRE(std::system(("mkfifo '" + pipe + "'").c_str()) == 0);
-    checkWritable(pipe);  // else this would wait for a reader for ever
+    files::checkWritable(pipe);  // else this would wait for a reader for ever
     CHECK(fs::is_fifo(pipe));
 }
 #endif
@@ -156,56 +158,56 @@ TEST_CASE("A signal waits for as long as it is held, and is then as if it came o
           "[files]") {
     const SignalRecord record;
     {
-        const HeldSignals outer;
-        CHECK_FALSE(signalledAgain());
+        const files::HeldSignals outer;
+        CHECK_FALSE(files::signalledAgain());
         {
-            const HeldSignals inner;
-            CHECK(notedSignal() == 0);
+            const files::HeldSignals inner;
+            CHECK(files::notedSignal() == 0);
             std::raise(SIGTERM);
-            CHECK(notedSignal() == SIGTERM);
-            CHECK_FALSE(signalledAgain());
+            CHECK(files::notedSignal() == SIGTERM);
+            CHECK_FALSE(files::signalledAgain());
         }
         std::raise(SIGINT);
-        CHECK(notedSignal() == SIGTERM);
-        CHECK(signalledAgain());
+        CHECK(files::notedSignal() == SIGTERM);
+        CHECK(files::signalledAgain());
         CHECK(signalCount == 0);
     }
     CHECK(signalCount == 1);
     CHECK(lastSignal == SIGTERM);
-    CHECK(notedSignal() == 0);
-    CHECK_FALSE(signalledAgain());
+    CHECK(files::notedSignal() == 0);
+    CHECK_FALSE(files::signalledAgain());
     std::raise(SIGINT);
     CHECK(lastSignal == SIGINT);
 }
 
 TEST_CASE("Signals that came before anybody looked are one wish", "[files]") {
     const SignalRecord record;
-    HeldSignals held;
+    files::HeldSignals held;
     for (int i = 0; i < 3; ++i) std::raise(SIGINT);
-    CHECK_FALSE(signalledAgain());
-    CHECK_FALSE(signalledAgain());
+    CHECK_FALSE(files::signalledAgain());
+    CHECK_FALSE(files::signalledAgain());
     std::raise(SIGINT);
-    CHECK(signalledAgain());
+    CHECK(files::signalledAgain());
     held.answer();
-    CHECK_FALSE(signalledAgain());
+    CHECK_FALSE(files::signalledAgain());
 }
 
 TEST_CASE("A signal that was answered is not raised, one that was ignored is ignored still",
           "[files]") {
     const SignalRecord record;
     {
-        HeldSignals held;
+        files::HeldSignals held;
         std::raise(SIGINT);
-        CHECK(exitCodeOf(notedSignal()) == 130);
+        CHECK(files::exitCodeOf(files::notedSignal()) == 130);
         held.answer();
     }
     CHECK(signalCount == 0);
 
     std::signal(SIGINT, SIG_IGN);
     {
-        const HeldSignals held;
+        const files::HeldSignals held;
         std::raise(SIGINT);
-        CHECK(notedSignal() == 0);
+        CHECK(files::notedSignal() == 0);
     }
     CHECK(std::signal(SIGINT, SIG_IGN) == SIG_IGN);
 }
@@ -218,7 +220,7 @@ TEST_CASE("A signal while a file is being made finds nothing of it", "[files]") 
     const auto before = std::signal(
         SIGTERM, [](int) { empty = fs::directory_iterator(place) == fs::directory_iterator(); });
     {
-        TemporaryFile file(folder.path() / "a.json");
+        files::TemporaryFile file(folder.path() / "a.json");
         file.make();
         std::raise(SIGTERM);
         CHECK(entries(folder.path()).size() == 1);

@@ -7,6 +7,7 @@
 #include "support/scene_text.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 TEST_CASE("A mistake in a material becomes one sentence", "[scene]") {
     const std::vector<Bad> cases{
@@ -64,7 +65,7 @@ TEST_CASE("Every number of a material is checked against its range", "[scene]") 
         CHECK(materialError(assignment(field.max)).empty() == !field.maxExcluded);
         // A value inside the range ends in the right field.
         const double inside = field.min + 0.25 * (field.max - field.min);
-        const Material m = parseMaterial(assignment(inside), "stuff.toml");
+        const Material m = scene::parseMaterial(assignment(inside), "stuff.toml");
         if (field.scalar)
             CHECK(m.*field.scalar == Approx(inside));
         else
@@ -73,14 +74,15 @@ TEST_CASE("Every number of a material is checked against its range", "[scene]") 
 }
 
 TEST_CASE("Boundary strength follows strength until it has a value of its own", "[scene]") {
-    const Material plain = parseMaterial("strength = [1, 2, 3]", "m.toml");
+    const Material plain = scene::parseMaterial("strength = [1, 2, 3]", "m.toml");
     CHECK(plain.strength == Vec3(1, 2, 3));
     CHECK(plain.boundaryStrength == Vec3(1, 2, 3));
-    const Material both = parseMaterial("strength = 5\nboundary_strength = [1, 2, 3]", "m.toml");
+    const Material both =
+        scene::parseMaterial("strength = 5\nboundary_strength = [1, 2, 3]", "m.toml");
     CHECK(both.strength == Vec3(5, 5, 5));
     CHECK(both.boundaryStrength == Vec3(1, 2, 3));
     // Concrete's chunks keep their weak boundaries.
-    const Material base = parseMaterial("base = 'concrete'\nstrength = 20e6", "m.toml");
+    const Material base = scene::parseMaterial("base = 'concrete'\nstrength = 20e6", "m.toml");
     CHECK(base.strength == Vec3(20e6, 20e6, 20e6));
     CHECK(base.boundaryStrength == Vec3(5.6e6, 5.6e6, 5.6e6));
 }
@@ -88,7 +90,7 @@ TEST_CASE("Boundary strength follows strength until it has a value of its own", 
 TEST_CASE("Materials build on one another", "[scene]") {
     // Written in an order in which each base comes after its user; `wood` builds on the preset it
     // hides.
-    const Scene scene = parseScene(
+    const scene::Scene scene = scene::parseScene(
         "[material.a]\nbase = 'z'\ndensity = 7\n"
         "[material.z]\nbase = 'wood'\nspread = 0.1\n"
         "[material.wood]\nbase = 'wood'\ndamping = 9\n" +

@@ -8,6 +8,7 @@
 #include "support/scene_text.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -20,8 +21,8 @@ const std::string kThrow =
     "[[event]]\nkind = 'throw'\ntime = 0.1\nobject = 'ball'\nfrom = [0, 1, 5]\n"
     "velocity = [0, 0, -20]\n";
 
-Scene parse(const std::string& text) {
-    return parseScene(text, "walls.toml", {});
+scene::Scene parse(const std::string& text) {
+    return scene::parseScene(text, "walls.toml", {});
 }
 
 std::string without(std::string text, const std::string& line) {
@@ -33,7 +34,8 @@ std::string without(std::string text, const std::string& line) {
 }  // namespace
 
 TEST_CASE("Objects and throws set everything they name", "[scene]") {
-    const Scene scene = parse(kBody + kSphere + R"(mass = 400
+    const scene::Scene scene =
+        parse(kBody + kSphere + R"(mass = 400
 position = [1, 2, 3]
 rotation = [90, 0, 90]
 velocity = [4, 5, 6]
@@ -44,9 +46,9 @@ restitution = 0.75
 colour = [0.1, 0.2, 0.3]
 hung_from = [1, 5, 3]
 )" + kBox + "fixed = true\nposition = [0, 1, 0]\n" +
-                              kCapsule + kMass +
-                              "[[event]]\nkind = 'throw'\ntime = 0.5\nobject = 'log'\n"
-                              "from = [0, 1, 5]\nvelocity = [0, 0, -20]\nspin = [1, 2, 3]\n");
+              kCapsule + kMass +
+              "[[event]]\nkind = 'throw'\ntime = 0.5\nobject = 'log'\n"
+              "from = [0, 1, 5]\nvelocity = [0, 0, -20]\nspin = [1, 2, 3]\n");
     REQUIRE(scene.world.objects.size() == 3);
     const ObjectDescription& ball = scene.world.objects[0];
     CHECK(ball.name == "ball");

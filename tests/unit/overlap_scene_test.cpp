@@ -6,6 +6,7 @@
 #include "support/scene_text.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -14,7 +15,7 @@ const std::string kRoom = "[room]\nx = [-2, 2]\nz = [-1, 1]\n";
 const std::string kAllow = "overlap = 'allow'\n";
 
 std::string worldError(const std::string& text) {
-    return messageOf([&] { const World world(parseScene(text, "walls.toml", {}).world); });
+    return messageOf([&] { const World world(scene::parseScene(text, "walls.toml", {}).world); });
 }
 
 }  // namespace
@@ -69,24 +70,26 @@ TEST_CASE("An overlap in a scene is refused with file, line and field", "[scene]
 }
 
 TEST_CASE("Whether things may overlap, and how fast they part, is read and written", "[scene]") {
-    const Scene plain = parseScene(kBody + kBall, "walls.toml", {});
+    const scene::Scene plain = scene::parseScene(kBody + kBall, "walls.toml", {});
     CHECK(!plain.world.bodies[0].mayOverlap);
     CHECK(!plain.world.objects[0].mayOverlap);
     CHECK(plain.world.partingSpeed == 1);
-    CHECK(!parseScene(kBody + "overlap = 'refuse'\n", "walls.toml", {}).world.bodies[0].mayOverlap);
+    CHECK(!scene::parseScene(kBody + "overlap = 'refuse'\n", "walls.toml", {})
+               .world.bodies[0]
+               .mayOverlap);
     // Copies in each other, too.
-    const Scene marked =
-        parseScene("[contact]\nparting_speed = 0.25\n" + kBody + kAllow +
-                       "copies = [2, 1, 1]\nspacing = [1, 0, 0]\n" + kBall + kAllow,
-                   "walls.toml", {});
-    const std::string text = writeScene(marked);
-    for (const Scene& scene : {marked, parseScene(text, "walls.toml", {})}) {
+    const scene::Scene marked =
+        scene::parseScene("[contact]\nparting_speed = 0.25\n" + kBody + kAllow +
+                              "copies = [2, 1, 1]\nspacing = [1, 0, 0]\n" + kBall + kAllow,
+                          "walls.toml", {});
+    const std::string text = scene::writeScene(marked);
+    for (const scene::Scene& scene : {marked, scene::parseScene(text, "walls.toml", {})}) {
         CHECK(scene.world.bodies[0].mayOverlap);
         CHECK(scene.world.bodies[1].mayOverlap);
         CHECK(scene.world.objects[0].mayOverlap);
         CHECK(scene.world.partingSpeed == 0.25);
         CHECK(World(scene.world).partings().size() == 1);
-        CHECK(writeScene(scene) == text);
+        CHECK(scene::writeScene(scene) == text);
     }
     const std::vector<Bad> cases{
         {kBody + "overlap = true\n",

@@ -10,13 +10,14 @@
 #include "scene/scene.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 TEST_CASE("All presets can be read and laid out", "[scene]") {
     std::vector<std::string> names;
-    for (const PresetInfo& preset : scenePresets()) {
+    for (const scene::PresetInfo& preset : scene::scenePresets()) {
         INFO(preset.name);
         names.push_back(preset.name);
-        const Scene scene = loadScene(preset.name);
+        const scene::Scene scene = scene::loadScene(preset.name);
         CHECK(scene.name == preset.name);
         CHECK(preset.title == scene.title);
         CHECK(preset.title != preset.name);
@@ -33,10 +34,10 @@ TEST_CASE("All presets can be read and laid out", "[scene]") {
                                             "rubber", "rubber-thesis", "stress", "wood",
                                             "wood-thesis", "wrecking-ball"});
     names.clear();
-    for (const PresetInfo& preset : materialPresets()) {
+    for (const scene::PresetInfo& preset : scene::materialPresets()) {
         INFO(preset.name);
         names.push_back(preset.name);
-        CHECK(loadMaterial(preset.name).name == preset.name);
+        CHECK(scene::loadMaterial(preset.name).name == preset.name);
         CHECK_FALSE(preset.title.empty());
     }
     CHECK(names == std::vector<std::string>{"brick", "concrete", "glass", "planks", "rubber",
@@ -44,9 +45,9 @@ TEST_CASE("All presets can be read and laid out", "[scene]") {
 }
 
 TEST_CASE("A preset scene's camera sees all of its bodies and objects", "[scene]") {
-    for (const PresetInfo& preset : scenePresets()) {
+    for (const scene::PresetInfo& preset : scene::scenePresets()) {
         INFO(preset.name);
-        const Scene scene = loadScene(preset.name);
+        const scene::Scene scene = scene::loadScene(preset.name);
         const Vec3 forward = (scene.camera.target - scene.camera.position).normalized();
         const Vec3 right = forward.cross(Vec3(0, 1, 0)).normalized();
         const Vec3 up = right.cross(forward);
@@ -83,7 +84,7 @@ TEST_CASE("A preset scene's camera sees all of its bodies and objects", "[scene]
 }
 
 TEST_CASE("Every ball of the cannon is thrown once, at 20 to 40 m/s", "[scene]") {
-    const Scene scene = loadScene("cannon");
+    const scene::Scene scene = scene::loadScene("cannon");
     CHECK(scene.world.bodies.size() == 50);
     REQUIRE(scene.world.objects.size() == 20);
     REQUIRE(scene.world.throws.size() == 20);
@@ -98,7 +99,7 @@ TEST_CASE("Every ball of the cannon is thrown once, at 20 to 40 m/s", "[scene]")
 }
 
 TEST_CASE("The wrecking ball is of iron and just touches the wall where it hangs", "[scene]") {
-    const WorldDescription world = loadScene("wrecking-ball").world;
+    const WorldDescription world = scene::loadScene("wrecking-ball").world;
     REQUIRE(world.objects.size() == 1);
     const ObjectDescription& ball = world.objects[0];
     const double radius = ball.halfSize[0];
@@ -115,7 +116,7 @@ TEST_CASE("The peer scenes take the fewest substeps that carry their stiffness",
     for (const auto& [name, fracture] : {std::pair{"peer-50x400", FractureMode::None},
                                          {"peer-50x400-break", FractureMode::Bond}}) {
         INFO(name);
-        Scene scene = loadScene(name);
+        scene::Scene scene = scene::loadScene(name);
         const World world(scene.world);
         CHECK(world.bodies().size() == 50);
         CHECK(kTetrahedraPerCell * world.presentCells() == 20'000);
@@ -135,8 +136,8 @@ TEST_CASE("The peer scenes take the fewest substeps that carry their stiffness",
 }
 
 TEST_CASE("The thesis's presets hold its chapter 9 table", "[scene]") {
-    const Material rubber = loadMaterial("rubber-thesis");
-    const Material wood = loadMaterial("wood-thesis");
+    const Material rubber = scene::loadMaterial("rubber-thesis");
+    const Material wood = scene::loadMaterial("wood-thesis");
     const auto check = [](const Material& m, std::vector<double> expected) {
         const std::vector<double> actual{m.youngModulus,
                                          m.poissonRatio,
@@ -159,11 +160,11 @@ TEST_CASE("The thesis's presets hold its chapter 9 table", "[scene]") {
     check(wood, {700, 0.3, 0.7, 1, 1, 0.3, 0.8, 0.2, 0.2, 1, 0.1, 1, 0.1});
 
     for (const char* name : {"rubber-thesis", "wood-thesis"}) {
-        const World world(loadScene(name).world);
+        const World world(scene::loadScene(name).world);
         CHECK(world.cellCount() * kTetrahedraPerCell == 270);
         CHECK((world.bodies()[0].cells + IVec3(1, 1, 1)).prod() == 152);
     }
-    const World stress(loadScene("stress").world);
+    const World stress(scene::loadScene("stress").world);
     CHECK(stress.bodies().size() == 50);
     CHECK(stress.cellCount() * kTetrahedraPerCell == 13500);
     CHECK(stress.events().size() == 50);
@@ -225,7 +226,7 @@ TEST_CASE("The bond-breaking presets hold the measured table", "[scene]") {
     };
     for (const Row& row : rows) {
         INFO(row.name);
-        const Material m = loadMaterial(row.name);
+        const Material m = scene::loadMaterial(row.name);
         CHECK(m.law == ConstitutiveLaw::Corotated);
         CHECK(m.fracture == FractureMode::Bond);
         CHECK(m.youngModulus == row.E);
@@ -241,12 +242,12 @@ TEST_CASE("The bond-breaking presets hold the measured table", "[scene]") {
         CHECK(m.damping == row.drag);
         CHECK((m.noiseAmplitude > 0) == (row.name == "wood"));
     }
-    const Material wood = loadMaterial("wood");
+    const Material wood = scene::loadMaterial("wood");
     CHECK(wood.noiseLength == 0.35);
     CHECK(wood.noiseAmplitude == 0.48);
-    CHECK(loadMaterial("concrete").clusterSize == Vec3(0.4, 0.4, 0));
-    CHECK(loadMaterial("planks").clusterSize.x() == 0.2);
-    CHECK(loadMaterial("brick").clusterSize.head<2>() == Eigen::Vector2d(0.4, 0.2));
-    CHECK(loadMaterial("glass").clusterSize.y() ==
-          Approx(3 * loadMaterial("glass").clusterSize.x()));
+    CHECK(scene::loadMaterial("concrete").clusterSize == Vec3(0.4, 0.4, 0));
+    CHECK(scene::loadMaterial("planks").clusterSize.x() == 0.2);
+    CHECK(scene::loadMaterial("brick").clusterSize.head<2>() == Eigen::Vector2d(0.4, 0.2));
+    CHECK(scene::loadMaterial("glass").clusterSize.y() ==
+          Approx(3 * scene::loadMaterial("glass").clusterSize.x()));
 }

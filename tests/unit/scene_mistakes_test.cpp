@@ -211,13 +211,13 @@ TEST_CASE("Hostile files end in a sentence", "[scene]") {
     CHECK(sceneError("title = '''" + stops + "'''\n" + kBody).empty());
 }
 TEST_CASE("A name that leads nowhere lists the presets", "[scene]") {
-    checkParts(messageOf([] { loadScene("wod"); }),
+    checkParts(messageOf([] { scene::loadScene("wod"); }),
                {"scene 'wod' is neither a preset nor a file; presets: ", "cantilever, concrete, ",
                 "; did you mean 'wood'?"});
-    checkParts(messageOf([] { loadScene(""); }), {"scene '' is neither"});
-    checkParts(messageOf([] { loadScene("a\x1b[31m\nb\xff\u202e"); }),
+    checkParts(messageOf([] { scene::loadScene(""); }), {"scene '' is neither"});
+    checkParts(messageOf([] { scene::loadScene("a\x1b[31m\nb\xff\u202e"); }),
                {R"('a\u001b[31m\nb\xff\u202e')"});
-    checkParts(messageOf([] { loadScene(std::string(100000, 'a')); }), {"aaa…' is neither"});
-    checkParts(messageOf([] { loadMaterial("wod"); }),
+    checkParts(messageOf([] { scene::loadScene(std::string(100000, 'a')); }), {"aaa…' is neither"});
+    checkParts(messageOf([] { scene::loadMaterial("wod"); }),
                {"material 'wod' is neither a preset nor a file", "wood-thesis"});
 }

@@ -14,10 +14,11 @@
 #include "support/test_folder.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 namespace fs = std::filesystem;
 
 TEST_CASE("A scene file sets everything it names", "[scene]") {
-    const Scene scene = parseScene(R"(
+    const scene::Scene scene = scene::parseScene(R"(
 title = "Everything"
 frames = 1e2
 gravity = [1, -2.5, 3]
@@ -68,7 +69,7 @@ point = [0, 1, 0.05]
 radius = 0.3
 vector = [0, 0, -2]
 )",
-                                   "folder/all.toml", {});
+                                                 "folder/all.toml", {});
     CHECK(scene.name == "all");
     CHECK(scene.title == "Everything");
     CHECK(scene.frames == 100);
@@ -112,7 +113,7 @@ vector = [0, 0, -2]
 }
 
 TEST_CASE("A scene needs no more than one body", "[scene]") {
-    const Scene scene = parseScene(kBody, "walls.toml", {});
+    const scene::Scene scene = scene::parseScene(kBody, "walls.toml", {});
     CHECK(scene.title == "walls");
     CHECK(scene.frames == 120);
     CHECK(scene.world.step == 1.0 / 3000);
@@ -125,14 +126,15 @@ TEST_CASE("A scene needs no more than one body", "[scene]") {
 
 TEST_CASE("A room has the ground's friction and no ceiling unless it says so", "[scene]") {
     const std::string walls = "[room]\nx = [-1.5, 2]\nz = [-0.05, 3]\n";
-    const Scene scene = parseScene("[ground]\nfriction = 0.3\n" + walls + kBody, "walls.toml", {});
+    const scene::Scene scene =
+        scene::parseScene("[ground]\nfriction = 0.3\n" + walls + kBody, "walls.toml", {});
     REQUIRE(scene.world.room);
     CHECK(scene.world.room->x == std::array{-1.5, 2.0});
     CHECK(scene.world.room->z == std::array{-0.05, 3.0});
     CHECK(scene.world.room->friction == 0.3);
     CHECK(!scene.world.room->ceiling);
-    const Scene high =
-        parseScene(walls + "friction = 0.7\nceiling = 2\n" + kBody, "walls.toml", {});
+    const scene::Scene high =
+        scene::parseScene(walls + "friction = 0.7\nceiling = 2\n" + kBody, "walls.toml", {});
     CHECK(high.world.room->friction == 0.7);
     CHECK(high.world.room->ceiling == 2.0);
 }
@@ -142,34 +144,37 @@ TEST_CASE("Scene and material files are read from disk, relative to one another"
     const auto write = [&](const fs::path& name, const std::string& text) {
         fs::create_directories((folder.path() / name).parent_path());
         std::ofstream(folder.path() / name, std::ios::binary) << text;
-        return utf8FromPath(folder.path() / name);
+        return files::utf8FromPath(folder.path() / name);
     };
     write("stuff/heavy.toml", "base = '../light.toml'\ndensity = 5000\n");
     write("light.toml", "base = 'rubber'\nspread = 0.5\n");
     const std::string path = write("test.toml", replaced(kBody, "'wood'", "'stuff/heavy.toml'"));
-    const Scene scene = loadScene(path);
+    const scene::Scene scene = scene::loadScene(path);
     CHECK(scene.name == "test");
     REQUIRE(scene.world.materials.size() == 1);
     CHECK(scene.world.materials[0].name == "heavy");
     CHECK(scene.world.materials[0].density == 5000);
     CHECK(scene.world.materials[0].spread == 0.5);
     CHECK(scene.world.materials[0].youngModulus == 10e6);
-    CHECK(loadMaterial("stuff/heavy.toml", folder.path()).density == 5000);
+    CHECK(scene::loadMaterial("stuff/heavy.toml", folder.path()).density == 5000);
 
     SECTION("a mistake names the material's own file and line") {
         write("stuff/heavy.toml", "\n\ndensity = 0\n");
-        checkParts(messageOf([&] { loadScene(path); }), {"heavy.toml:3: density must be", "not 0"});
+        checkParts(messageOf([&] { scene::loadScene(path); }),
+                   {"heavy.toml:3: density must be", "not 0"});
     }
     SECTION("a circle of files ends") {
         write("light.toml", "base = 'stuff/heavy.toml'\n");
-        checkParts(messageOf([&] { loadScene(path); }), {".toml:1: ", "circle"});
+        checkParts(messageOf([&] { scene::loadScene(path); }), {".toml:1: ", "circle"});
     }
     SECTION("what cannot be read is named") {
-        checkParts(messageOf([&] { loadScene(utf8FromPath(folder.path() / "no.toml")); }),
-                   {"cannot read '", "No such file"});
-        checkParts(messageOf([&] { loadScene(utf8FromPath(folder.path())); }),
+        checkParts(
+            messageOf([&] { scene::loadScene(files::utf8FromPath(folder.path() / "no.toml")); }),
+            {"cannot read '", "No such file"});
+        checkParts(messageOf([&] { scene::loadScene(files::utf8FromPath(folder.path())); }),
                    {"cannot read '", "it is a folder"});
         const std::string large = write("large.toml", std::string((4u << 20) + 1, '\n'));
-        checkParts(messageOf([&] { loadScene(large); }), {"cannot read '", "larger than 4 MiB"});
+        checkParts(messageOf([&] { scene::loadScene(large); }),
+                   {"cannot read '", "larger than 4 MiB"});
     }
 }

@@ -6,6 +6,7 @@
 #include "cpu/cpu_solver.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -22,9 +23,9 @@ void checkSame(const Material& a, const Material& b) {
     }
 }
 
-std::uint64_t hashAfter(const Scene& scene, int frames) {
+std::uint64_t hashAfter(const scene::Scene& scene, int frames) {
     const World world(scene.world);
-    CpuSolver solver(world, 1);
+    cpu::CpuSolver solver(world, 1);
     solver.advance(frames * scene.substeps);
     return stateHash(solver.state());
 }
@@ -32,31 +33,32 @@ std::uint64_t hashAfter(const Scene& scene, int frames) {
 }  // namespace
 
 TEST_CASE("Every preset material is read back as it was written", "[scene]") {
-    for (const PresetInfo& preset : materialPresets()) {
+    for (const scene::PresetInfo& preset : scene::materialPresets()) {
         INFO(preset.name);
-        const Material material = loadMaterial(preset.name);
-        const Material again = parseMaterial(writeMaterial(material), preset.name + ".toml");
+        const Material material = scene::loadMaterial(preset.name);
+        const Material again =
+            scene::parseMaterial(scene::writeMaterial(material), preset.name + ".toml");
         CHECK(again.name == material.name);
         checkSame(again, material);
     }
 }
 
 TEST_CASE("Numbers that no decimal is short for, and quotes, survive being written", "[scene]") {
-    Material material = loadMaterial("wood");
+    Material material = scene::loadMaterial("wood");
     material.youngModulus = 1.0 / 3 * 1e7;
     material.poissonRatio = 0.49999999999999994;
     material.damping = 1e-300;
     material.strength = Vec3(1e15, 1.0 / 7, 3e-200);
     material.description = "He said \"hit it\" \\ twice; µ = 0.3";
-    checkSame(parseMaterial(writeMaterial(material), "odd.toml"), material);
+    checkSame(scene::parseMaterial(scene::writeMaterial(material), "odd.toml"), material);
 }
 
 TEST_CASE("Every preset scene, written and read, is the same world", "[scene]") {
-    for (const PresetInfo& preset : scenePresets()) {
+    for (const scene::PresetInfo& preset : scene::scenePresets()) {
         INFO(preset.name);
-        const Scene scene = loadScene(preset.name);
-        const std::string text = writeScene(scene);
-        const Scene again = parseScene(text, preset.name + ".toml", {});
+        const scene::Scene scene = scene::loadScene(preset.name);
+        const std::string text = scene::writeScene(scene);
+        const scene::Scene again = scene::parseScene(text, preset.name + ".toml", {});
         CHECK(again.title == scene.title);
         CHECK(again.frames == scene.frames);
         CHECK(again.substeps == scene.substeps);
@@ -72,16 +74,16 @@ TEST_CASE("Every preset scene, written and read, is the same world", "[scene]") 
         CHECK(again.world.throws.size() == scene.world.throws.size());
         CHECK(again.world.objects.size() == scene.world.objects.size());
         // Written again it is the same text: nothing drifts from save to save.
-        CHECK(writeScene(again) == text);
+        CHECK(scene::writeScene(again) == text);
     }
 }
 
 TEST_CASE("A scene that was saved runs to the same state, to the bit", "[scene]") {
     for (const char* name : {"wood", "glass", "brick", "wrecking-ball"}) {
         INFO(name);
-        Scene scene = loadScene(name);
+        scene::Scene scene = scene::loadScene(name);
         for (EventDescription& event : scene.world.events) event.time = 0.01;
-        const Scene again = parseScene(writeScene(scene), "saved.toml", {});
+        const scene::Scene again = scene::parseScene(scene::writeScene(scene), "saved.toml", {});
         CHECK(hashAfter(again, 4) == hashAfter(scene, 4));
     }
 }

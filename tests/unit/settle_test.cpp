@@ -6,6 +6,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -23,7 +24,7 @@ TEST_CASE("a standing column sags by what its E says") {
     d.materials[0].poissonRatio = 0;
     d.bodies[0].anchors = {Side::Bottom};
     const World world(d);
-    const State state = settledStart(world).state;
+    const State state = cpu::settledStart(world).state;
     const double E = world.laws()[0].youngModulus, density = d.materials[0].density;
     const double expected = density * 9.81 * 1 / (2 * E);  // 1 m tall
     double lowest = 0;
@@ -37,7 +38,7 @@ TEST_CASE("a body in mid-air begins as described") {
     WorldDescription d = heavy({2, 2, 2});
     d.bodies[0].position = {0, 1, 0};
     const World world(d);
-    const Start start = settledStart(world);
+    const cpu::Start start = cpu::settledStart(world);
     for (const Vec3& u : start.state.displacement) CHECK(u == Vec3(0, 0, 0));
     CHECK(start.state.slow == world.initialState().slow);
     CHECK(start.restless.empty());
@@ -71,7 +72,7 @@ TEST_CASE("what sags onto something that falls begins as described, and is named
             d.objects = {object};
         }
         const World world(d);
-        const Start start = settledStart(world);
+        const cpu::Start start = cpu::settledStart(world);
         CHECK(start.restless == std::vector<std::string>{"beam"});
         for (const Vec3& u : start.state.displacement) CHECK(u == Vec3(0, 0, 0));
     }

@@ -17,6 +17,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
@@ -98,7 +99,7 @@ Outcome run(const Case& c) {
     WorldDescription description = block({3, 3, 2}, material);
     description.step = 1 / (c.framesPerSecond * 50);
     const World world(description);
-    CpuSolver solver(world, 1);
+    cpu::CpuSolver solver(world, 1);
     State state = violentState(world, c.start.first);
     solver.setState(state);
     Outcome result;

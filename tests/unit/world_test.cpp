@@ -14,6 +14,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 TEST_CASE("the thesis's wall has 270 finite elements and 152 nodes") {
     const World world(block({18, 3, 1}, softElastic()));

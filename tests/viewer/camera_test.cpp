@@ -48,7 +48,7 @@ double outermost(const Json& status, double width) {
 }
 
 /// Share of the view's outermost two pixels that is red, as bricks are.
-double redAtTheEdge(const sunder::Image& image, const Json& view) {
+double redAtTheEdge(const sunder::image::Image& image, const Json& view) {
     constexpr int kWide = 2;
     const int left = view[0], width = view[2], height = view[3];
     int red = 0, all = 0;
@@ -71,7 +71,7 @@ TEST_CASE("The wall fits what the panel leaves of the window, whatever its shape
     viewer.key("space");
     viewer.pointAway();
     const auto fits = [&](const std::string& name, double width = 3.2) {
-        const sunder::Image image = viewer.keep(name);
+        const sunder::image::Image image = viewer.keep(name);
         const Json now = viewer.freshStatus();
         CAPTURE(name, now["camera"].dump(), now["view"].dump());
         CHECK(outermost(now, width) <= 1);

@@ -17,7 +17,7 @@ TEST_CASE("Hits break the wall with every solver, each of which goes on with it 
           "[viewer]") {
     const Screen screen(900, 560);
     ViewerUnderTest viewer(screen, {"wood", "--size", "900x560", "--solver", "cpu"});
-    const sunder::Image whole = viewer.keep("01-wood-at-rest");
+    const sunder::image::Image whole = viewer.keep("01-wood-at-rest");
     checkLooksRight(whole);
     CHECK(broken(viewer) == 0);
     viewer.clickScene(0.5, 0.45);
@@ -154,7 +154,7 @@ TEST_CASE("Strength and radius of hits are set by slider and wheel", "[viewer]")
     // The ring around the mouse is as much larger.
     viewer.key("space");
     viewer.pointAway();
-    const sunder::Image without = viewer.keep("07-no-ring");
+    const sunder::image::Image without = viewer.keep("07-no-ring");
     viewer.pointAt(0.5, 0.45);
     const double small = sceneDifference(without, viewer.keep("08-small-ring"));
     CHECK(small > 0);
@@ -193,15 +193,15 @@ TEST_CASE("A cell that is clicked to look at it has its stress beside it", "[vie
     const Screen screen(900, 640);
     ViewerUnderTest viewer(screen, {"wood", "--size", "900x640", "--solver", "cpu"});
     viewer.key("space");
-    const auto outlined = [](const sunder::Image& image) {
+    const auto outlined = [](const sunder::image::Image& image) {
         return share(image, sceneOf(image), 255, 200, 60);
     };
-    const auto lettered = [](const sunder::Image& image) {
+    const auto lettered = [](const sunder::image::Image& image) {
         return share(image, sceneOf(image), 240, 240, 235);
     };
     viewer.click("tab.measure");
     viewer.pointAway();
-    const sunder::Image before = viewer.keep("25-nothing-looked-at");
+    const sunder::image::Image before = viewer.keep("25-nothing-looked-at");
     REQUIRE(outlined(before) == 0);
     const double plots = viewer.place("plot.frame")[1];
 
@@ -215,14 +215,15 @@ TEST_CASE("A cell that is clicked to look at it has its stress beside it", "[vie
         CHECK(look["cell"] >= 0);
         CHECK(look["cell"] < 30 * 20);
         viewer.pointAway();
-        const sunder::Image looked = viewer.keep("26-looked-at-" + (held.empty() ? "tool" : held));
+        const sunder::image::Image looked =
+            viewer.keep("26-looked-at-" + (held.empty() ? "tool" : held));
         CHECK(outlined(looked) > 1e-4);
         CHECK(lettered(looked) > lettered(before));
         // The panel has a row for each thing that is to be known of it, instead of a hint.
         CHECK(viewer.place("plot.frame")[1] > plots + 40);
 
         viewer.key("Escape");
-        const sunder::Image after = viewer.keep("27-no-longer");
+        const sunder::image::Image after = viewer.keep("27-no-longer");
         CHECK(outlined(after) == 0);
         CHECK(viewer.place("plot.frame")[1] == plots);
     }

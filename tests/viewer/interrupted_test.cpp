@@ -108,7 +108,7 @@ TEST_CASE("What another saves meanwhile is not lost", "[viewer]") {
     viewer.key("p");
     CHECK_THAT(viewer.nextEvent("picture", 0)["path"].get<std::string>(),
                Catch::EndsWith("wood-002.png"));
-    CHECK(sunder::readPng(screen.folder() / "wood-002.png").height == 500);
+    CHECK(sunder::image::readPng(screen.folder() / "wood-002.png").height == 500);
     CHECK(textOf(screen.folder() / "wood-001.mp4") == "another's");
     CHECK(textOf(screen.folder() / "wood-001.png") == "another's");
     CHECK(videosIn(screen.folder()) == std::set<std::string>{"wood-001.mp4", "wood-002.mp4"});

@@ -64,7 +64,7 @@ TEST_CASE("A material is changed, tuned and saved, and what is saved runs to the
     viewer.clickScene(0.5, 0.45);
     REQUIRE(eventually([&] { return viewer.status()["bonds_broken"] > 20; }));
     viewer.click("tab.material");
-    const sunder::Image wood = viewer.keep("30-wood");
+    const sunder::image::Image wood = viewer.keep("30-wood");
     const Json before = viewer.freshStatus();
     viewer.click("material");
     viewer.keep("31-materials");
@@ -74,7 +74,7 @@ TEST_CASE("A material is changed, tuned and saved, and what is saved runs to the
     const Json after = viewer.freshStatus();
     CHECK(after["bonds_broken"] >= before["bonds_broken"]);
     CHECK(after["time"] >= before["time"]);
-    const sunder::Image concrete = viewer.keep("32-concrete");
+    const sunder::image::Image concrete = viewer.keep("32-concrete");
     checkLooksRight(concrete);
     CHECK(sceneDifference(wood, concrete) > 0.2);
 
@@ -212,7 +212,7 @@ TEST_CASE("A new wall has the size, the cells and the seed that were asked for",
     REQUIRE(eventually([&] { return viewer.status()["bonds_broken"] > 20; }));
     viewer.click("tab.wall");
     viewer.pointAway();
-    const sunder::Image before = viewer.keep("45-old-wall");
+    const sunder::image::Image before = viewer.keep("45-old-wall");
     const std::array<std::string, 3> sizes{"2", "1.5", "0.2"}, cells{"20", "15", "2"};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double column = (static_cast<double>(axis) + 0.5) / 3;
@@ -228,7 +228,7 @@ TEST_CASE("A new wall has the size, the cells and the seed that were asked for",
     CHECK(viewer.becomes("seed", 77));
     CHECK(viewer.becomes("bonds_broken", 0));
     viewer.pointAway();
-    const sunder::Image after = viewer.keep("46-new-wall");
+    const sunder::image::Image after = viewer.keep("46-new-wall");
     checkLooksRight(after);
     CHECK(sceneDifference(before, after) > 0.1);
 
@@ -264,7 +264,7 @@ TEST_CASE("Colours that measure differ from each other, and say what they mean",
         viewer.pointAway();
         return viewer.keep("48-colours-" + colour);
     };
-    std::map<std::string, sunder::Image> images;
+    std::map<std::string, sunder::image::Image> images;
     for (const std::string colour : {"Material", "Stress", "Speed", "Pieces"})
         images[colour] = shown(colour);
     for (auto a = images.begin(); a != images.end(); ++a)

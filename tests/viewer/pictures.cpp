@@ -10,7 +10,7 @@
 namespace {
 
 template <class Visit>
-double shareOf(const sunder::Image& image, const Area& area, Visit&& counts) {
+double shareOf(const sunder::image::Image& image, const Area& area, Visit&& counts) {
     REQUIRE(area.left >= 0);
     REQUIRE(area.top >= 0);
     REQUIRE(area.width > 0);
@@ -26,15 +26,15 @@ double shareOf(const sunder::Image& image, const Area& area, Visit&& counts) {
 
 }  // namespace
 
-Area sceneOf(const sunder::Image& image) {
+Area sceneOf(const sunder::image::Image& image) {
     return {kPanel, 0, image.width - kPanel, image.height - 60};
 }
 
-double sceneDifference(const sunder::Image& a, const sunder::Image& b) {
+double sceneDifference(const sunder::image::Image& a, const sunder::image::Image& b) {
     return difference(a, b, sceneOf(a));
 }
 
-double difference(const sunder::Image& a, const sunder::Image& b, const Area& area) {
+double difference(const sunder::image::Image& a, const sunder::image::Image& b, const Area& area) {
     REQUIRE(a.width == b.width);
     REQUIRE(a.height == b.height);
     return shareOf(a, area, [&](std::size_t at) {
@@ -45,7 +45,7 @@ double difference(const sunder::Image& a, const sunder::Image& b, const Area& ar
     });
 }
 
-double share(const sunder::Image& image, const Area& area, int red, int green, int blue) {
+double share(const sunder::image::Image& image, const Area& area, int red, int green, int blue) {
     return shareOf(image, area, [&](std::size_t at) {
         return std::abs(image.pixels[at] - red) < 12 &&
                std::abs(image.pixels[at + 1] - green) < 12 &&
@@ -53,7 +53,7 @@ double share(const sunder::Image& image, const Area& area, int red, int green, i
     });
 }
 
-int colours(const sunder::Image& image, const Area& area) {
+int colours(const sunder::image::Image& image, const Area& area) {
     std::set<int> found;
     shareOf(image, area, [&](std::size_t at) {
         found.insert((image.pixels[at] >> 4) << 8 | (image.pixels[at + 1] >> 4) << 4 |
@@ -63,7 +63,7 @@ int colours(const sunder::Image& image, const Area& area) {
     return static_cast<int>(found.size());
 }
 
-void checkLooksRight(const sunder::Image& image, int panel) {
+void checkLooksRight(const sunder::image::Image& image, int panel) {
     const Area left{0, 0, panel, image.height};
     CHECK(share(image, left, 27, 28, 32) > 0.3);
     CHECK(share(image, left, 237, 143, 51) > 0.00005);  // thin letters: few have all of it

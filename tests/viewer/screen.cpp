@@ -152,7 +152,7 @@ void Screen::manageWindows() {
                      folder_ / "twm.log");
 }
 
-sunder::Image Screen::picture() const {
+sunder::image::Image Screen::picture() const {
     // The server's framebuffer lies in a file in the format of xwd: a header of 32-bit numbers,
     // most significant byte first, colours, then rows of blue, green, red and a spare byte.
     std::ifstream file(folder_ / "Xvfb_screen0", std::ios::binary);
@@ -166,7 +166,7 @@ sunder::Image Screen::picture() const {
     const std::uint32_t header = field(0), width = field(4), height = field(5);
     const std::uint32_t rowBytes = field(12), colours = field(19);
     if (field(11) != 32) throw std::runtime_error("the screen's pixels do not have 32 bits");
-    sunder::Image image{static_cast<int>(width), static_cast<int>(height), {}};
+    sunder::image::Image image{static_cast<int>(width), static_cast<int>(height), {}};
     image.pixels.reserve(std::size_t{3} * width * height);
     for (std::size_t y = 0; y < height; ++y)
         for (std::size_t x = 0; x < width; ++x)

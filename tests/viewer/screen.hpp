@@ -50,7 +50,7 @@ class Screen {
     /// xdotool with these arguments.
     void act(const std::string& arguments) const;
     /// What is on it now.
-    sunder::Image picture() const;
+    sunder::image::Image picture() const;
 
   private:
     std::filesystem::path folder_;

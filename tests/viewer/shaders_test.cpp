@@ -37,12 +37,12 @@ TEST_CASE(
         screen, {"--size", "900x560", "--solver", "cpu", "--shader-dir", shaders.string()});
     viewer.key("space");
     viewer.pointAway();
-    const sunder::Image before = viewer.keep("60-shaders");
+    const sunder::image::Image before = viewer.keep("60-shaders");
     const std::string text = textOf(file);
     const Json error = write(viewer, file, text + "\nbroken\n");
     REQUIRE(error.is_string());
     CHECK_THAT(error.get<std::string>(), Catch::Contains("sky.frag"));
-    const sunder::Image during = viewer.keep("61-shader-error");
+    const sunder::image::Image during = viewer.keep("61-shader-error");
     // The wall stands as it did, a panel says what is wrong.
     CHECK(difference(before, during, {450, 250, 300, 200}) < 0.01);
     CHECK(difference(before, during, {340, 10, 500, 60}) > 0.3);

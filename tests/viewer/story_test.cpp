@@ -16,8 +16,8 @@ namespace {
 
 /// Pixels of `picture` that are not those of the window at `left`, `top`, leaving out its lowest
 /// rows, where a hint is.
-double windowDifference(const sunder::Image& window, int left, int top,
-                        const sunder::Image& picture, int rows) {
+double windowDifference(const sunder::image::Image& window, int left, int top,
+                        const sunder::image::Image& picture, int rows) {
     std::int64_t wrong = 0;
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < picture.width; ++x)
@@ -43,17 +43,17 @@ TEST_CASE("Every way of looking at a wall shows something else", "[viewer]") {
     viewer.click("pause");
     REQUIRE(viewer.becomes("paused", true));
     viewer.pointAway();  // no ring on the wall
-    const sunder::Image solid = viewer.keep("10-solid");
+    const sunder::image::Image solid = viewer.keep("10-solid");
     const auto shown = [&](const std::string& widget, const std::string& name) {
         viewer.click(widget);
         viewer.pointAway();
-        sunder::Image image = viewer.keep(name);
+        sunder::image::Image image = viewer.keep(name);
         INFO(widget);
         checkLooksRight(image);
         return image;
     };
     CHECK(sceneDifference(solid, shown("style.Wireframe", "11-wireframe")) > 0.05);
-    const sunder::Image both = shown("style.Both", "12-both");
+    const sunder::image::Image both = shown("style.Both", "12-both");
     CHECK(sceneDifference(solid, both) > 0.02);
     // At rest both meshes are the same wall; their edges tell them apart.
     CHECK(sceneDifference(both, shown("mesh.Simulation", "13-simulation-mesh")) > 0.02);
@@ -72,7 +72,7 @@ TEST_CASE("Every way of looking at a wall shows something else", "[viewer]") {
     viewer.key("F1");
     viewer.click("tab.measure");
     viewer.click("pause");
-    const sunder::Image plots = viewer.keep("17-measure");
+    const sunder::image::Image plots = viewer.keep("17-measure");
     CHECK(difference(solid, plots, {0, 150, kPanel, 450}) > 0.05);
     screen.act("mousemove 150 450 click --repeat 30 5");
     viewer.place("plot.shadows");
@@ -86,14 +86,14 @@ TEST_CASE("Every way of looking at a wall shows something else", "[viewer]") {
     screen.act("mousemove_relative -- -150 0");
     viewer.freshStatus();
     viewer.release(3);
-    const sunder::Image turned = viewer.keep("19-turned");
+    const sunder::image::Image turned = viewer.keep("19-turned");
     CHECK(sceneDifference(solid, turned) > 0.1);
     screen.act("click 4 click 4 click 4");
-    const sunder::Image nearer = viewer.keep("20-nearer");
+    const sunder::image::Image nearer = viewer.keep("20-nearer");
     CHECK(sceneDifference(turned, nearer) > 0.1);
     viewer.keyDown("w");
     viewer.keyUp("w");
-    const sunder::Image ahead = viewer.keep("21-ahead");
+    const sunder::image::Image ahead = viewer.keep("21-ahead");
     CHECK(sceneDifference(nearer, ahead) > 0.1);
     viewer.press(2);
     screen.act("mousemove_relative -- -60 40");
@@ -115,10 +115,10 @@ TEST_CASE("A picture has the pixels of the window, and those of `sunder run`", "
     viewer.key("r");
     REQUIRE(viewer.becomes("paused", true));
     screen.act("mousemove 5 550");
-    const sunder::Image window = viewer.keep("40-glass");
+    const sunder::image::Image window = viewer.keep("40-glass");
     viewer.key("p");
-    const sunder::Image picture =
-        sunder::readPng(viewer.nextEvent("picture", 0)["path"].get<std::string>());
+    const sunder::image::Image picture =
+        sunder::image::readPng(viewer.nextEvent("picture", 0)["path"].get<std::string>());
     const Json view = viewer.status()["view"];
     REQUIRE(picture.width == view[2]);
     REQUIRE(picture.height == view[3]);
@@ -132,9 +132,10 @@ TEST_CASE("A picture has the pixels of the window, and those of `sunder run`", "
     // It draws with four samples.
     viewer.click("samples.4x");
     viewer.key("p");
-    const sunder::Image sampled =
-        sunder::readPng(viewer.nextEvent("picture", 1)["path"].get<std::string>());
-    const sunder::Image written = sunder::readPng(screen.folder() / "out" / "frame_0000.png");
+    const sunder::image::Image sampled =
+        sunder::image::readPng(viewer.nextEvent("picture", 1)["path"].get<std::string>());
+    const sunder::image::Image written =
+        sunder::image::readPng(screen.folder() / "out" / "frame_0000.png");
     CHECK(windowDifference(sampled, 0, 0, written, written.height) == 0);
     viewer.quit();
 }
@@ -149,7 +150,7 @@ TEST_CASE("A video is recorded while it is asked for", "[viewer]") {
     viewer.key("v");
     viewer.nextEvent("recording", 0);
     const Json first = viewer.freshStatus();
-    const sunder::Image image = viewer.keep("65-recording");
+    const sunder::image::Image image = viewer.keep("65-recording");
     CHECK(share(image, {732, 12, 66, 26}, 240, 240, 235) > 0.01);  // REC
     // Each of its pictures is 1/60 s after the one before.
     const Json last = viewer.freshStatus();

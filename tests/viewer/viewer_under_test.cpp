@@ -217,11 +217,11 @@ bool ViewerUnderTest::becomes(const std::string& field, const Json& value) {
     return eventually([&] { return status()[field] == value || !running(); }) && running();
 }
 
-sunder::Image ViewerUnderTest::keep(const std::string& name) {
+sunder::image::Image ViewerUnderTest::keep(const std::string& name) {
     freshStatus();
-    const sunder::Image image = screen_.picture();
+    const sunder::image::Image image = screen_.picture();
     fs::create_directories(SUNDER_VIEWER_PICTURES);
-    sunder::writePng(fs::path(SUNDER_VIEWER_PICTURES) / (name + ".png"), image);
+    sunder::image::writePng(fs::path(SUNDER_VIEWER_PICTURES) / (name + ".png"), image);
     return image;
 }
 

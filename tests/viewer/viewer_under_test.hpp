@@ -62,7 +62,7 @@ class ViewerUnderTest {
     bool becomes(const std::string& field, const Json& value);
 
     /// What is on the screen, also kept as NAME.png for whoever wants to look.
-    sunder::Image keep(const std::string& name);
+    sunder::image::Image keep(const std::string& name);
 
     /// Ctrl+Q, and endsSoundly().
     void quit();

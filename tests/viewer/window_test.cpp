@@ -54,16 +54,16 @@ TEST_CASE("Keys that are held are let go with the focus", "[viewer]") {
     viewer.pointAway();
     // Beside the window: what has no focus and lies under the mouse would hear of keys.
     screen.act("mousemove 990 590");
-    const sunder::Image start = viewer.keep("51-before-a-key-is-held");
+    const sunder::image::Image start = viewer.keep("51-before-a-key-is-held");
     viewer.keyDown("Right");
-    const sunder::Image turned = viewer.keep("52-while-a-key-is-held");
+    const sunder::image::Image turned = viewer.keep("52-while-a-key-is-held");
     CHECK(sceneDifference(start, turned) > 0.05);
 
     // Its release is never heard of.
     screen.act("search --maxdepth 0 --name '' windowfocus");
     REQUIRE(viewer.becomes("focused", false));
     screen.act("keyup Right");
-    const sunder::Image left = viewer.keep("53-focus-lost");
+    const sunder::image::Image left = viewer.keep("53-focus-lost");
     for (int i = 0; i < 3; ++i) viewer.freshStatus();
     CHECK(sceneDifference(left, viewer.keep("54-later")) == 0);
 

@@ -5,7 +5,7 @@
 
 #include "catch.hpp"
 
-using sunder::view::Clock;
+using sunder::Clock;
 
 namespace {
 

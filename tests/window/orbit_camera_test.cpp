@@ -8,8 +8,8 @@
 #include "catch.hpp"
 
 using sunder::CameraDescription;
+using sunder::OrbitCamera;
 using sunder::Vec3;
-using sunder::view::OrbitCamera;
 
 namespace {
 

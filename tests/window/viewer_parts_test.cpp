@@ -14,6 +14,7 @@
 #include "view/simulation.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 using namespace sunder::view;
 
 namespace {
@@ -22,12 +23,12 @@ namespace fs = std::filesystem;
 
 /// 3 × 2 × 0.1 m, front at z = 0.05.
 const World& wall() {
-    static const World world(loadScene("wood").world);
+    static const World world(scene::loadScene("wood").world);
     return world;
 }
 
-const DisplayMesh& wallMesh() {
-    static const DisplayMesh mesh(wall());
+const surface::DisplayMesh& wallMesh() {
+    static const surface::DisplayMesh mesh(wall());
     return mesh;
 }
 
@@ -94,7 +95,7 @@ TEST_CASE("A ray passes through the hole that a cell left", "[view]") {
 }
 
 TEST_CASE("A ray finds the object in front of the wall", "[view]") {
-    Scene scene = loadScene("wood");
+    scene::Scene scene = scene::loadScene("wood");
     scene.world.contact = true;
     ObjectDescription ball;
     ball.name = "ball";
@@ -108,7 +109,7 @@ TEST_CASE("A ray finds the object in front of the wall", "[view]") {
     box.position = Vec3(1, 1, 1);
     scene.world.objects = {ball, box};
     const World world(scene.world);
-    const DisplayMesh mesh(world);
+    const surface::DisplayMesh mesh(world);
     const Picker picker(world, mesh);
     State state = world.initialState();
     const auto first = picker.pick(state, Vec3(0, 1, 4), Vec3(0, 0, -1));
@@ -154,7 +155,7 @@ TEST_CASE("A push moves what is near the spot, less towards the rim, and tears n
     CHECK(fastest > 35);
     CHECK(fastest <= 40);
     // Joined copies of a node keep to one another: nothing has come apart without a crack.
-    CpuSolver solver(wall(), 1);
+    cpu::CpuSolver solver(wall(), 1);
     solver.setState(state);
     solver.advance(1);
     const State after = solver.state();
@@ -165,7 +166,7 @@ TEST_CASE("A push moves what is near the spot, less towards the rim, and tears n
 }
 
 TEST_CASE("A push tells which bodies it moves, no others", "[view]") {
-    const World world(loadScene("stress").world);
+    const World world(scene::loadScene("stress").world);
     State state = world.initialState();
     const Body& body = world.bodies()[17];
     std::set<int> bodies;
@@ -193,9 +194,9 @@ TEST_CASE("Settings are remembered", "[view]") {
     CHECK(readSettings(file).solver == "gather");  // none yet
     Settings settings;
     settings.solver = "scatter";
-    settings.mesh = DrawnMesh::Simulation;
-    settings.style = DrawStyle::Overlay;
-    settings.colour = WallColour::Piece;
+    settings.mesh = render::DrawnMesh::Simulation;
+    settings.style = render::DrawStyle::Overlay;
+    settings.colour = render::WallColour::Piece;
     settings.samples = 8;
     settings.vsync = false;
     settings.fullScreen = true;

@@ -1,7 +1,7 @@
 # sunder_embed(TARGET NAMESPACE BASE FILES...)
 #
 # Compiles FILES (absolute paths) into TARGET. A generated header `embedded_<NAMESPACE>.hpp` declares
-#     std::span<const sunder::EmbeddedFile> sunder::<NAMESPACE>::embeddedFiles();
+#     std::span<const sunder::core::EmbeddedFile> sunder::<NAMESPACE>::embeddedFiles();
 # each with `name` (its path below BASE) and `text`. Sorted by name.
 set(SUNDER_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_script.cmake)
 

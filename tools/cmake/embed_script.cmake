@@ -15,7 +15,7 @@ foreach(file IN LISTS files)
 endforeach()
 
 file(WRITE ${OUTPUT}.hpp "#pragma once\n#include <span>\n\n#include \"core/embedded_file.hpp\"\n
-namespace sunder::${NAMESPACE} {\nstd::span<const EmbeddedFile> embeddedFiles();\n}\n")
+namespace sunder::${NAMESPACE} {\nstd::span<const core::EmbeddedFile> embeddedFiles();\n}\n")
 file(WRITE ${OUTPUT}.cpp "#include \"embedded_${NAMESPACE}.hpp\"\n\n#include <array>\n\nnamespace {\n${arrays}
-const std::array<sunder::EmbeddedFile, ${index}> files = {{\n${entries}}};\n}  // namespace\n
-namespace sunder::${NAMESPACE} {\nstd::span<const EmbeddedFile> embeddedFiles() { return files; }\n}\n")
+const std::array<sunder::core::EmbeddedFile, ${index}> embedded = {{\n${entries}}};\n}  // namespace\n
+namespace sunder::${NAMESPACE} {\nstd::span<const core::EmbeddedFile> embeddedFiles() { return embedded; }\n}\n")

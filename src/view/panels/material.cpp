@@ -11,6 +11,9 @@
 #include "view/panels/panels.hpp"
 
 namespace sunder::view {
+
+using namespace core;
+
 namespace {
 
 constexpr std::pair<std::string_view, const char*> kGroups[] = {
@@ -265,10 +268,10 @@ bool drawChoiceOfMaterial(Session& session, Interface& ui, MaterialDraft& draft)
     ui.mark("material");
     if (!open) return false;
     bool chosen = false;
-    static const std::vector<PresetInfo> presets = materialPresets();
-    for (const PresetInfo& preset : presets) {
+    static const std::vector<scene::PresetInfo> presets = scene::materialPresets();
+    for (const scene::PresetInfo& preset : presets) {
         if (ImGui::Selectable(preset.name.c_str(), preset.name == draft.material.name)) {
-            draft.material = draft.home = loadMaterial(preset.name);
+            draft.material = draft.home = scene::loadMaterial(preset.name);
             chosen = true;
         }
         ui.mark("material." + preset.name);

@@ -10,6 +10,9 @@
 #include "view/panels/panels.hpp"
 
 namespace sunder::view {
+
+using namespace core;
+
 namespace {
 
 void drawPlot(Interface& ui, const char* label, const History& history) {
@@ -98,7 +101,7 @@ void drawMeasurements(Session& session, Interface& ui) {
                {"Energy of bending", brief(m.diagnostics.elastic, "J")},
                {"Energy of height", brief(m.diagnostics.gravity, "J")},
                {"Fastest", brief(m.diagnostics.maxSpeed, "m/s")}});
-    for (const std::string& warning : limitWarnings(session.scene(), world))
+    for (const std::string& warning : scene::limitWarnings(session.scene(), world))
         ImGui::TextWrapped("%s", warning.c_str());
     for (const std::string& note : lossNotes(world, session.stage->simulation.solver()))
         ImGui::TextWrapped("%s", note.c_str());

@@ -10,10 +10,14 @@
 #include "view/panels/panels.hpp"
 
 namespace sunder::view {
+
+using namespace core;
+
 namespace {
 
 ImU32 shown(const glm::vec3& linear) {
-    return IM_COL32(srgbByte(linear.r), srgbByte(linear.g), srgbByte(linear.b), 255);
+    return IM_COL32(image::srgbByte(linear.r), image::srgbByte(linear.g), image::srgbByte(linear.b),
+                    255);
 }
 
 /// Where a place of the world is, in the interface's pixels, and its depth, m.
@@ -78,31 +82,31 @@ void drawLookedAt(Session& session, const Interface& ui, ImDrawList& list) {
 
 /// In the lower right corner of the scene.
 void drawLegend(Session& session, Interface& ui, ImDrawList& list) {
-    if (session.settings.colour == WallColour::Material) return;
-    const ColourKey& key = session.stage->colours.key();
+    if (session.settings.colour == render::WallColour::Material) return;
+    const render::ColourKey& key = session.stage->colours.key();
     const float d = ui.density(), margin = ui.length(16), line = ImGui::GetTextLineHeight();
     const float right = static_cast<float>(session.area.left + session.area.width) / d - margin;
     const float bottom = static_cast<float>(session.area.top + session.area.height) / d - margin;
-    if (const std::string text = legendText(key); !text.empty()) {
+    if (const std::string text = render::legendText(key); !text.empty()) {
         const float width = ImGui::CalcTextSize(text.c_str()).x;
         drawText(ui, list, {right - width, bottom - line}, text.c_str());
         return;
     }
     const float width = ui.length(230);
     const bool fits = static_cast<float>(session.area.width) / d > width + 2 * margin;
-    if (!hasScale(key) || !fits) return;
+    if (!render::hasScale(key) || !fits) return;
     const float bar = ui.length(14), gap = ui.length(4);
     const float left = right - width, top = bottom - 2 * line - bar - 2 * gap;
     list.AddRectFilled({left - gap * 2, top - gap}, {right + gap * 2, bottom + gap},
                        IM_COL32(20, 21, 25, 190), ui.length(4));
-    list.AddText({left, top}, IM_COL32(240, 240, 235, 255), legendTitle(key).c_str());
+    list.AddText({left, top}, IM_COL32(240, 240, 235, 255), render::legendTitle(key).c_str());
     constexpr int kSteps = 64;
     for (int i = 0; i < kSteps; ++i)
         list.AddRectFilled(
             {left + width * static_cast<float>(i) / kSteps, top + line + gap},
             {left + width * static_cast<float>(i + 1) / kSteps, top + line + gap + bar},
-            shown(mapColour((i + 0.5) / kSteps)));
-    const std::array<std::string, 3> numbers = legendNumbers(key);
+            shown(render::mapColour((i + 0.5) / kSteps)));
+    const std::array<std::string, 3> numbers = render::legendNumbers(key);
     for (int i = 0; i < 3; ++i) {
         const float own = ImGui::CalcTextSize(numbers[i].c_str()).x;
         list.AddText({left + (width - own) * static_cast<float>(i) / 2, bottom - line},

@@ -11,8 +11,8 @@ float panelWidth(const Interface&);
 struct WallDraft {
     int layout = -1;  ///< of the session, that it was taken from
     int body = 0;
-    Vec3 size{1, 1, 1};  ///< m
-    IVec3 cells{1, 1, 1};
+    core::Vec3 size{1, 1, 1};  ///< m
+    core::IVec3 cells{1, 1, 1};
     std::uint64_t seed = 1;
     std::string fileToOpen, fileToSave = "my-wall";
 };
@@ -21,9 +21,9 @@ struct WallDraft {
 struct MaterialDraft {
     int generation = -1, layout = -1;  ///< of the session, that it was taken from
     int index = 0;                     ///< among the scene's materials
-    Material material;
-    Material home;   ///< as it was before it was tuned
-    double age = 0;  ///< s since it was last simulated
+    core::Material material;
+    core::Material home;  ///< as it was before it was tuned
+    double age = 0;       ///< s since it was last simulated
     std::string fileToSave = "my-material";
 };
 
@@ -40,7 +40,7 @@ void drawPanels(Session&, Interface&, Drafts&);
 /// A number of 1 to 10,000 with its unit, in thousands, millions or thousands of millions.
 std::string brief(double value, const char* unit);
 /// The stress at which a material breaks, in words.
-std::string breaksAt(const Material&);
+std::string breaksAt(const core::Material&);
 
 // One file each.
 void drawTime(Session&, Interface&);      ///< pause, step, speed; above the tabs

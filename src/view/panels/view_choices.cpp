@@ -11,7 +11,7 @@ void drawSolvers(Session& session, Interface& ui) {
     ui.heading("Solver");
     std::vector<std::string_view> names, titles;
     int current = 0;
-    for (const SolverInfo& solver : solvers()) {
+    for (const sim::SolverInfo& solver : sim::solvers()) {
         if (solver.name == session.stage->simulation.solverInfo().name)
             current = static_cast<int>(names.size());
         names.push_back(solver.name);
@@ -40,14 +40,15 @@ void drawViewChoices(Session& session, Interface& ui, double& letters) {
     drawSolvers(session, ui);
 
     ui.heading("View");
-    drawChoice(session, ui, "mesh", "Mesh", settings.mesh, kDrawnMeshes, {"Display", "Simulation"},
+    drawChoice(session, ui, "mesh", "Mesh", settings.mesh, render::kDrawnMeshes,
+               {"Display", "Simulation"},
                {"What a player sees: torn edges, textures. M",
                 "The hull of the tetrahedra that are simulated. M"});
-    drawChoice(session, ui, "style", "Style", settings.style, kDrawStyles,
+    drawChoice(session, ui, "style", "Style", settings.style, render::kDrawStyles,
                {"Solid", "Wireframe", "Both"},
                {"Surfaces. L", "Edges of all triangles. L", "Surfaces with their edges. L"});
     drawChoice(
-        session, ui, "colour", "Colours", settings.colour, kWallColours,
+        session, ui, "colour", "Colours", settings.colour, render::kWallColours,
         {"Material", "Stress", "Speed", "Pieces"},
         {"As the material looks. C",
          "The largest tension in each cell; bright is the most that a material here bears. C",

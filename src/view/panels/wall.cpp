@@ -7,9 +7,12 @@
 #include "view/panels/panels.hpp"
 
 namespace sunder::view {
+
+using namespace core;
+
 namespace {
 
-void take(WallDraft& draft, const Scene& scene, int body) {
+void take(WallDraft& draft, const scene::Scene& scene, int body) {
     const BodyDescription& from = scene.world.bodies[body];
     draft.body = body;
     draft.size = from.size;
@@ -38,9 +41,9 @@ void drawScenes(Session& session, Interface& ui, std::string& path) {
         ImGui::BeginCombo("###scene", session.scene().name.c_str(), ImGuiComboFlags_HeightLargest);
     ui.mark("scene");
     if (open) {
-        static const std::vector<PresetInfo> scenes = scenePresets();
+        static const std::vector<scene::PresetInfo> scenes = scene::scenePresets();
         std::string chosen;
-        for (const PresetInfo& scene : scenes) {
+        for (const scene::PresetInfo& scene : scenes) {
             if (ImGui::Selectable(scene.name.c_str(), scene.name == session.scene().name))
                 chosen = scene.name;
             ui.mark("scene." + scene.name);
@@ -60,7 +63,7 @@ void drawScenes(Session& session, Interface& ui, std::string& path) {
     if (wanted) session.openScene(path);
 }
 
-void drawBodies(WallDraft& draft, const Scene& scene, Interface& ui) {
+void drawBodies(WallDraft& draft, const scene::Scene& scene, Interface& ui) {
     const auto& bodies = scene.world.bodies;
     if (bodies.size() < 2) return;
     ImGui::SetNextItemWidth(-1);
@@ -77,7 +80,7 @@ void drawBodies(WallDraft& draft, const Scene& scene, Interface& ui) {
 void drawWall(Session& session, Interface& ui, WallDraft& draft) {
     drawScenes(session, ui, draft.fileToOpen);
 
-    const Scene& scene = session.scene();
+    const scene::Scene& scene = session.scene();
     if (std::exchange(draft.layout, session.layout()) != session.layout())
         take(draft, scene, std::min(draft.body, static_cast<int>(scene.world.bodies.size()) - 1));
     ui.heading("A new wall");
@@ -106,7 +109,7 @@ void drawWall(Session& session, Interface& ui, WallDraft& draft) {
         "%.3g x %.3g x %.3g m a cell, %lld tetrahedra", cell[0], cell[1], cell[2],
         static_cast<long long>(5LL * draft.cells[0] * draft.cells[1] * draft.cells[2]));
     if (ui.button("build", "Build", "Builds the wall anew.")) {
-        Scene next = scene;
+        scene::Scene next = scene;
         resize(next.world.bodies[draft.body], draft.size, draft.cells);
         next.world.seed = draft.seed & 0x7fffffffffffffffu;
         session.buildScene(std::move(next), "build");

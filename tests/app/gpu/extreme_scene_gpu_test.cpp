@@ -37,7 +37,7 @@ TEST_CASE("App: two million tetrahedra are simulated and drawn on the GPU, and h
     CHECK(report.at("tetrahedra") == 2'000'000);
     CHECK(report.at("nan") == 0);
     CHECK(report.at("pieces") == 1);
-    CHECK(sunder::readPng(place.path("o/frame_0001.png").string()).width == 160);
+    CHECK(sunder::image::readPng(place.path("o/frame_0001.png").string()).width == 160);
 }
 
 // Sanitizers take terabytes of addresses for themselves; macOS does not limit them. Hardware has

@@ -22,9 +22,9 @@ TEST_CASE("App: pictures, contact sheet and video may have names in any script")
                    "sheet:    一覧 ß.png\n"
                    "video:    動画 Jürgen.raw\n"
                    "report:   絵 ö/report.json\n"));
-    CHECK(sunder::readPng(place.path("絵 ö/frame_0003.png")).width == 64);
+    CHECK(sunder::image::readPng(place.path("絵 ö/frame_0003.png")).width == 64);
     const std::string video = place.read("動画 Jürgen.raw");
     CHECK(video.size() == 4 * 64 * 48 * 3);
-    const sunder::Image first = sunder::readPng(place.path("絵 ö/frame_0000.png"));
+    const sunder::image::Image first = sunder::image::readPng(place.path("絵 ö/frame_0000.png"));
     CHECK(video.starts_with(std::string(first.pixels.begin(), first.pixels.end())));
 }

@@ -25,7 +25,7 @@ json reportOf(const Workplace& place, const std::string& solver) {
 }
 
 /// More than one colour: something was drawn.
-bool hasContrast(const sunder::Image& image) {
+bool hasContrast(const sunder::image::Image& image) {
     for (std::size_t i = 3; i < image.pixels.size(); ++i)
         if (image.pixels[i] != image.pixels[i % 3]) return true;
     return false;
@@ -41,9 +41,9 @@ TEST_CASE("App: pictures are those that were asked for, in the size that was ask
     CHECK(place.contents() == std::set<std::string>{"o", "o/frame_0000.png", "o/frame_0002.png",
                                                     "o/frame_0004.png", "o/frame_0005.png",
                                                     "o/report.json", "wall.toml"});
-    const sunder::Image first = sunder::readPng(place.path("o/frame_0000.png"));
-    const sunder::Image last = sunder::readPng(place.path("o/frame_0005.png"));
-    for (const sunder::Image& image : {first, last}) {
+    const sunder::image::Image first = sunder::image::readPng(place.path("o/frame_0000.png"));
+    const sunder::image::Image last = sunder::image::readPng(place.path("o/frame_0005.png"));
+    for (const sunder::image::Image& image : {first, last}) {
         CHECK(image.width == 160);
         CHECK(image.height == 90);
         CHECK(hasContrast(image));
@@ -64,7 +64,7 @@ TEST_CASE("App: a run over an earlier one's folder replaces what it writes") {
     run(place, {"--frames-png", "5", "--out", "o", "--size", "96x64", "--seed", "9"});
     CHECK(place.contents() == before);  // no temporary file either
     for (const std::string frame : {"o/frame_0000.png", "o/frame_0005.png"}) {
-        const sunder::Image image = sunder::readPng(place.path(frame));
+        const sunder::image::Image image = sunder::image::readPng(place.path(frame));
         CHECK(image.width == 96);
         CHECK(image.height == 64);
     }

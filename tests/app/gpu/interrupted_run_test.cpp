@@ -154,7 +154,7 @@ TEST_CASE("App: interrupted while it draws, every picture is whole and nothing e
             INFO(name);
             CHECK((name == "o" || name == "ok.toml" || name.ends_with(".png")));
             if (!name.ends_with(".png")) continue;
-            CHECK(sunder::readPng(place.path(name)).width == 160);
+            CHECK(sunder::image::readPng(place.path(name)).width == 160);
             ++pictures;
         }
         CHECK(pictures > 1);

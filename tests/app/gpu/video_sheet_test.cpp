@@ -33,18 +33,20 @@ void runWell(const Workplace& place, const std::vector<std::string>& more,
 Image framePng(const Workplace& place, int frame) {
     char name[32];
     std::snprintf(name, sizeof name, "o/frame_%04d.png", frame);
-    return sunder::readPng(place.path(name));
+    return sunder::image::readPng(place.path(name));
 }
 
 /// What a sheet of these frames must be, made from the pictures of the run.
 Image expectedSheet(const Workplace& place,
                     const std::vector<std::pair<int, std::string>>& frames) {
     const Image first = framePng(place, frames.front().first);
-    const sunder::SheetLayout layout(static_cast<int>(frames.size()), first.width, first.height);
-    sunder::ContactSheet sheet(layout);
+    const sunder::image::SheetLayout layout(static_cast<int>(frames.size()), first.width,
+                                            first.height);
+    sunder::image::ContactSheet sheet(layout);
     for (const auto& [frame, time] : frames)
-        sheet.add(sunder::scaledDown(framePng(place, frame), layout.tileWidth, layout.tileHeight),
-                  time);
+        sheet.add(
+            sunder::image::scaledDown(framePng(place, frame), layout.tileWidth, layout.tileHeight),
+            time);
     return sheet.image();
 }
 
@@ -78,10 +80,10 @@ TEST_CASE("App: a contact sheet has the frames that were asked for, each with it
     place.write("wall.toml", scenes::kBreaking);
     runWell(place, {"--frames", "30", "--frames-png", "1", "--contact-sheet", "sheet.png",
                     "--sheet-times", "0.5,0,0.049,0.05,0.21"});
-    const Image sheet = sunder::readPng(place.path("sheet.png"));
+    const Image sheet = sunder::image::readPng(place.path("sheet.png"));
     const Image expected = expectedSheet(
         place, {{0, "0.00 s"}, {3, "0.05 s"}, {13, "0.22 s"}, {30, "0.50 s"}});  // 13/60 = 0.2167
-    CHECK(sheet.width == 4 * 320 + 3 * sunder::SheetLayout::kGap);
+    CHECK(sheet.width == 4 * 320 + 3 * sunder::image::SheetLayout::kGap);
     CHECK(sheet.pixels == expected.pixels);
 }
 
@@ -92,19 +94,20 @@ TEST_CASE("App: left to itself, a contact sheet begins with the first event") {
     place.write("wall.toml", scene);
     runWell(place, {"--frames", "50", "--frames-png", "1", "--contact-sheet", "sheet.png"});
     // From frame 6 on, 44 more in the squares of elevenths, but at least one frame each.
-    CHECK(sunder::readPng(place.path("sheet.png")).pixels == expectedSheet(place, {{6, "0.10 s"},
-                                                                                   {7, "0.12 s"},
-                                                                                   {8, "0.13 s"},
-                                                                                   {9, "0.15 s"},
-                                                                                   {12, "0.20 s"},
-                                                                                   {15, "0.25 s"},
-                                                                                   {19, "0.32 s"},
-                                                                                   {24, "0.40 s"},
-                                                                                   {29, "0.48 s"},
-                                                                                   {35, "0.58 s"},
-                                                                                   {42, "0.70 s"},
-                                                                                   {50, "0.83 s"}})
-                                                                 .pixels);
+    CHECK(sunder::image::readPng(place.path("sheet.png")).pixels ==
+          expectedSheet(place, {{6, "0.10 s"},
+                                {7, "0.12 s"},
+                                {8, "0.13 s"},
+                                {9, "0.15 s"},
+                                {12, "0.20 s"},
+                                {15, "0.25 s"},
+                                {19, "0.32 s"},
+                                {24, "0.40 s"},
+                                {29, "0.48 s"},
+                                {35, "0.58 s"},
+                                {42, "0.70 s"},
+                                {50, "0.83 s"}})
+              .pixels);
 }
 
 TEST_CASE("App: without an event a contact sheet is spread evenly over the run") {
@@ -117,7 +120,8 @@ TEST_CASE("App: without an event a contact sheet is spread evenly over the run")
         frames.push_back({2 * hundredth, hundredth < 10
                                              ? "0.0" + std::to_string(hundredth) + "0 s"
                                              : "0.1" + std::to_string(hundredth - 10) + "0 s"});
-    CHECK(sunder::readPng(place.path("sheet.png")).pixels == expectedSheet(place, frames).pixels);
+    CHECK(sunder::image::readPng(place.path("sheet.png")).pixels ==
+          expectedSheet(place, frames).pixels);
 }
 
 TEST_CASE("App: a run of few frames has each of them on its sheet once, and no other pictures") {
@@ -126,8 +130,8 @@ TEST_CASE("App: a run of few frames has each of them on its sheet once, and no o
     runWell(place, {"--frames", "2", "--frames-png", "0", "--contact-sheet", "o/sheet.png"});
     CHECK(place.contents() ==
           std::set<std::string>{"o", "o/report.json", "o/sheet.png", "wall.toml"});
-    CHECK(sunder::readPng(place.path("o/sheet.png")).width ==
-          3 * 320 + 2 * sunder::SheetLayout::kGap);
+    CHECK(sunder::image::readPng(place.path("o/sheet.png")).width ==
+          3 * 320 + 2 * sunder::image::SheetLayout::kGap);
 }
 
 TEST_CASE("App: --colour changes walls and adds a legend") {
@@ -213,7 +217,7 @@ TEST_CASE("App: a video has every frame of the run, and their colours") {
     // Frame 7 as a player shows it.
     outputOf(place, "ffmpeg -v error -i " + file + " -vf select=eq\\(n\\\\,7\\) -frames:v 1 '" +
                         place.path("seven.png").string() + "'");
-    const Image shown = sunder::readPng(place.path("seven.png")), drawn = framePng(place, 7);
+    const Image shown = sunder::image::readPng(place.path("seven.png")), drawn = framePng(place, 7);
     REQUIRE(shown.pixels.size() == drawn.pixels.size());
     double sum = 0;
     for (std::size_t i = 0; i < drawn.pixels.size(); ++i)

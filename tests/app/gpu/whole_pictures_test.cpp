@@ -25,7 +25,7 @@ TEST_CASE("App: killed while it draws, every picture is whole and there is no vi
             INFO(name);
             CHECK(name != "a.mp4");
             if (!name.ends_with(".png") || contains(name, "/.")) continue;
-            CHECK(sunder::readPng(place.path(name)).width == 320);
+            CHECK(sunder::image::readPng(place.path(name)).width == 320);
             ++whole;
         }
     }

@@ -16,9 +16,10 @@ int main(int argc, char** argv) {
 #ifdef _WIN32
     _setmode(_fileno(stdin), _O_BINARY);
 #endif
-    const std::string protocol = "file:", target = sunder::commandLine(argc, argv).back();
+    const std::string protocol = "file:", target = sunder::files::commandLine(argc, argv).back();
     if (!target.starts_with(protocol)) return 1;
-    std::ofstream file(sunder::pathFromUtf8(target.substr(protocol.size())), std::ios::binary);
+    std::ofstream file(sunder::files::pathFromUtf8(target.substr(protocol.size())),
+                       std::ios::binary);
     char bytes[4096];
     while (const std::size_t count = std::fread(bytes, 1, sizeof bytes, stdin))
         file.write(bytes, static_cast<std::streamsize>(count));

@@ -22,7 +22,7 @@
 #include "catch.hpp"
 #include "files/utf8_path.hpp"
 
-using sunder::pathFromUtf8, sunder::utf8FromPath;
+using sunder::files::pathFromUtf8, sunder::files::utf8FromPath;
 
 namespace fs = std::filesystem;
 
@@ -39,13 +39,14 @@ std::string quoted(const std::string& word) {
 }
 int runShell(const std::string& command) {
     // cmd removes the first and the last quote of a line.
-    return _wsystem(sunder::utf16FromUtf8('"' + command + '"').c_str());
+    return _wsystem(sunder::files::utf16FromUtf8('"' + command + '"').c_str());
 }
 int exitCodeOf(int status) {
     return status;
 }
 void setVariable(const std::string& name, const std::string& value) {
-    _wputenv_s(sunder::utf16FromUtf8(name).c_str(), sunder::utf16FromUtf8(value).c_str());
+    _wputenv_s(sunder::files::utf16FromUtf8(name).c_str(),
+               sunder::files::utf16FromUtf8(value).c_str());
 }
 void unsetVariable(const std::string& name) {
     setVariable(name, "");
@@ -125,7 +126,7 @@ class CurrentFolder {
 
 std::string contentsOf(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
-    INFO(utf8FromPath(path));
+    INFO(sunder::files::utf8FromPath(path));
     REQUIRE(file);
     std::ostringstream text;
     text << file.rdbuf();
@@ -259,8 +260,9 @@ Result Workplace::runInShell(const std::string& before, const std::vector<std::s
     const fs::path out = root_ / "out.txt", err = root_ / "err.txt";
     std::string command = before + quoted(SUNDER_PROGRAM);
     for (const std::string& argument : arguments) command += ' ' + quoted(argument);
-    command += " > " + quoted(standardOutput.empty() ? utf8FromPath(out) : standardOutput) +
-               " 2> " + quoted(utf8FromPath(err));
+    command += " > " +
+               quoted(standardOutput.empty() ? sunder::files::utf8FromPath(out) : standardOutput) +
+               " 2> " + quoted(sunder::files::utf8FromPath(err));
 
     const SetVariables variables(environment);
     const CurrentFolder here(work_);
@@ -275,7 +277,7 @@ Result Workplace::runInShell(const std::string& before, const std::vector<std::s
 }
 
 std::filesystem::path Workplace::path(const std::string& name) const {
-    return work_ / pathFromUtf8(name);
+    return work_ / sunder::files::pathFromUtf8(name);
 }
 
 void Workplace::write(const std::string& name, const std::string& contents) const {
@@ -300,7 +302,7 @@ std::set<std::string> Workplace::contents() const {
         std::error_code error;
         for (fs::recursive_directory_iterator at(work_, error), end; !error && at != end;
              at.increment(error))
-            names.insert(utf8FromPath(at->path().lexically_relative(work_)));
+            names.insert(sunder::files::utf8FromPath(at->path().lexically_relative(work_)));
         if (!error) return names;
     }
     FAIL("the folder of the test cannot be read");

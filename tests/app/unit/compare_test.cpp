@@ -8,8 +8,8 @@ using namespace sunder;
 
 namespace {
 
-Image gradient(int width, int height) {
-    Image image{width, height, {}};
+image::Image gradient(int width, int height) {
+    image::Image image{width, height, {}};
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
             for (const int value : {4 * x, 5 * y, x + y})
@@ -21,12 +21,12 @@ Image gradient(int width, int height) {
 
 TEST_CASE("App: compare says whether pictures are alike, in words, numbers and a picture") {
     const Workplace place;
-    const Image a = gradient(60, 40);
-    Image b = a;
+    const image::Image a = gradient(60, 40);
+    image::Image b = a;
     for (int y = 10; y < 22; ++y)
         for (int x = 20; x < 32; ++x) b.pixels[3 * (60 * y + x) + 1] ^= 64;
-    writePng(place.path("a.png"), a);
-    writePng(place.path("b.png"), b);
+    image::writePng(place.path("a.png"), a);
+    image::writePng(place.path("b.png"), b);
 
     const Result same = place.run({"compare", "a.png", "a.png", "--json", "same.json"}, kNoGl);
     INFO(same.command << "\nstderr: " << same.err);
@@ -46,12 +46,12 @@ TEST_CASE("App: compare says whether pictures are alike, in words, numbers and a
     CHECK(report.at("mean") == Approx(64 * 144.0 / 2400));
     CHECK(report.at("worst_window").at("share") == Approx(144.0 / 256));
     // Those that tests/image shows to see what they should.
-    const ComparisonLimits limits;
+    const image::ComparisonLimits limits;
     CHECK(report.at("limits").at("threshold") == limits.threshold);
     CHECK(report.at("limits").at("share") == limits.share);
     CHECK(report.at("limits").at("window") == limits.window);
     CHECK(report.at("limits").at("mean") == limits.mean);
-    const Image diff = readPng(place.path("diff.png"));
+    const image::Image diff = image::readPng(place.path("diff.png"));
     CHECK(diff.pixels[3 * (60 * 15 + 25) + 1] == 255);
     CHECK(diff.pixels[0] == 0);
 
@@ -63,18 +63,18 @@ TEST_CASE("App: compare says whether pictures are alike, in words, numbers and a
 TEST_CASE(
     "App: compare sees every pixel off by two levels, and a patch, without being told limits") {
     const Workplace place;
-    const Image a = gradient(60, 40);
-    Image brighter = a;
+    const image::Image a = gradient(60, 40);
+    image::Image brighter = a;
     for (std::uint8_t& value : brighter.pixels) value = static_cast<std::uint8_t>(value + 2);
     // 42 of 256 pixels, in a picture large enough for them to be few.
-    const Image large = gradient(60, 600);
-    Image patched = large;
+    const image::Image large = gradient(60, 600);
+    image::Image patched = large;
     for (int y = 300; y < 306; ++y)
         for (int x = 20; x < 27; ++x) patched.pixels[3 * (60 * y + x)] ^= 64;
-    writePng(place.path("a.png"), a);
-    writePng(place.path("brighter.png"), brighter);
-    writePng(place.path("large.png"), large);
-    writePng(place.path("patched.png"), patched);
+    image::writePng(place.path("a.png"), a);
+    image::writePng(place.path("brighter.png"), brighter);
+    image::writePng(place.path("large.png"), large);
+    image::writePng(place.path("patched.png"), patched);
     CHECK(place.run({"compare", "a.png", "brighter.png"}, kNoGl).exitCode == 1);
     CHECK(place.run({"compare", "large.png", "patched.png"}, kNoGl).exitCode == 1);
     CHECK(place.run({"compare", "large.png", "patched.png", "--window", "0.17"}, kNoGl).exitCode ==
@@ -83,8 +83,8 @@ TEST_CASE(
 
 TEST_CASE("App: pictures of two sizes are different, not an error") {
     const Workplace place;
-    writePng(place.path("a.png"), gradient(60, 40));
-    writePng(place.path("b.png"), gradient(60, 41));
+    image::writePng(place.path("a.png"), gradient(60, 40));
+    image::writePng(place.path("b.png"), gradient(60, 41));
     const Result result = place.run({"compare", "a.png", "b.png"}, kNoGl);
     CHECK(result.exitCode == 1);
     CHECK(contains(result.out, "60 x 40"));
@@ -93,7 +93,7 @@ TEST_CASE("App: pictures of two sizes are different, not an error") {
 
 TEST_CASE("App: compare refuses what is no picture, and limits that are none") {
     const Workplace place;
-    writePng(place.path("a.png"), gradient(60, 40));
+    image::writePng(place.path("a.png"), gradient(60, 40));
     place.write("text.png", "not a picture");
     checkRefused(place.run({"compare", "a.png", "missing.png"}, kNoGl), 2, {"missing.png"});
     checkRefused(place.run({"compare", "text.png", "a.png"}, kNoGl), 2, {"text.png"});

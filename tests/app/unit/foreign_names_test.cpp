@@ -80,8 +80,8 @@ TEST_CASE("App: a complaint has a file's name as it was given") {
 
 TEST_CASE("App: pictures to compare may have names in any script") {
     const Workplace place;
-    sunder::writePng(place.path("左.png"), {2, 1, {1, 2, 3, 4, 5, 6}});
-    sunder::writePng(place.path("Größe.png"), {1, 1, {1, 2, 3}});
+    sunder::image::writePng(place.path("左.png"), {2, 1, {1, 2, 3, 4, 5, 6}});
+    sunder::image::writePng(place.path("Größe.png"), {1, 1, {1, 2, 3}});
     CHECK(place.run({"compare", "左.png", "左.png", "--diff", "違い ü.png", "--json", "é.json"})
               .exitCode == 0);
     CHECK(place.contents() == std::set<std::string>{"Größe.png", "é.json", "左.png", "違い ü.png"});

@@ -35,7 +35,7 @@ void prepare(const Workplace& place) {
     place.write("file", "mine");
     for (const std::string ending : {".json", ".vtu", ".png", ".mp4", ".svg"})
         fs::create_directory(place.path("folder" + ending));
-    sunder::writePng(place.path("a.png"), {1, 1, {1, 2, 3}});
+    sunder::image::writePng(place.path("a.png"), {1, 1, {1, 2, 3}});
 }
 
 /// Refused before a context is asked for, which none of these runs could get (kNoGl): that would be

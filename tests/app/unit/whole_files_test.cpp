@@ -30,8 +30,8 @@ std::vector<std::string> allFiles() {
             "--out", "o",       "--json",   "a.json", "--state",      "a.vtu"};
 }
 
-sunder::Image noise(int size, unsigned seed) {
-    sunder::Image image{size, size, {}};
+sunder::image::Image noise(int size, unsigned seed) {
+    sunder::image::Image image{size, size, {}};
     std::minstd_rand random(seed);
     for (int i = 0; i < 3 * size * size; ++i)
         image.pixels.push_back(static_cast<std::uint8_t>(random() >> 8));
@@ -78,8 +78,8 @@ TEST_CASE("App: on a full disk every file says so by its name, exit code 2, and 
 
 TEST_CASE("App: compare on a full disk keeps the picture that was there") {
     const Workplace place;
-    writePng(place.path("a.png"), noise(40, 1));
-    writePng(place.path("b.png"), noise(40, 2));
+    sunder::image::writePng(place.path("a.png"), noise(40, 1));
+    sunder::image::writePng(place.path("b.png"), noise(40, 2));
     place.write("diff.png", "older");
     const Result result =
         place.runWithFilesUpTo(1, {"compare", "a.png", "b.png", "--diff", "diff.png"}, kNoGl);

@@ -6,7 +6,7 @@
 
 #include "gpu/world_buffers.hpp"
 
-namespace sunder {
+namespace sunder::sim {
 
 struct SolverInfo {
     std::string name;
@@ -21,19 +21,19 @@ const SolverInfo& findSolver(std::string_view name, std::string_view option = "-
 
 /// `world` and `buffers` must outlive the solver; `buffers` may be null for a CPU solver. `threads`
 /// is for threaded ones; 0: one per core.
-std::unique_ptr<Solver> makeSolver(const SolverInfo&, const World& world,
-                                   const gpu::WorldBuffers* buffers, int threads = 0);
+std::unique_ptr<core::Solver> makeSolver(const SolverInfo&, const core::World& world,
+                                         const gpu::WorldBuffers* buffers, int threads = 0);
 
 /// Turns any solver's state into what a picture is drawn from: a GPU solver's own buffers, or an
 /// upload.
 class SolverView {
   public:
-    SolverView(const World&, Solver&);
+    SolverView(const core::World&, core::Solver&);
     gpu::StateView view();
 
   private:
-    Solver& solver_;
+    core::Solver& solver_;
     std::unique_ptr<gpu::StateUpload> upload_;
 };
 
-}  // namespace sunder
+}  // namespace sunder::sim

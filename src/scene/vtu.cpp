@@ -1,4 +1,4 @@
-#include "core/vtu.hpp"
+#include "scene/vtu.hpp"
 
 #include <charconv>
 
@@ -6,13 +6,16 @@
 #include "core/pieces.hpp"
 #include "core/tetrahedra.hpp"
 
-namespace sunder {
+namespace sunder::scene {
+
+using namespace core;
+
 namespace {
 
 /// Text with shortest-form numbers, independent of the locale.
-class Writer {
+class VtuWriter {
   public:
-    explicit Writer(std::size_t expected) { text_.reserve(expected); }
+    explicit VtuWriter(std::size_t expected) { text_.reserve(expected); }
     void raw(std::string_view s) { text_ += s; }
     template <class T>
     void number(T value, char after = ' ') {
@@ -50,7 +53,7 @@ std::string toVtu(const World& world, const State& state) {
     for (int cell = 0; cell < world.cellCount(); ++cell)
         if (world.present(cell)) cells.push_back(cell);
     const auto points = kCorners * cells.size(), tetrahedra = kTetrahedraPerCell * cells.size();
-    Writer w(points * 120 + tetrahedra * 60 + 4096);
+    VtuWriter w(points * 120 + tetrahedra * 60 + 4096);
 
     const auto perPoint = [&](std::string_view name, auto&& value) {
         w.open("Float32", name, 3);
@@ -105,4 +108,4 @@ std::string toVtu(const World& world, const State& state) {
     return w.take();
 }
 
-}  // namespace sunder
+}  // namespace sunder::scene

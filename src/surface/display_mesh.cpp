@@ -1,11 +1,14 @@
-#include "core/display_mesh.hpp"
+#include "surface/display_mesh.hpp"
 
 #include <algorithm>
 #include <array>
 
 #include "core/tetrahedra.hpp"
 
-namespace sunder {
+namespace sunder::surface {
+
+using namespace core;
+
 namespace {
 
 /// Vertices of a cell that is divided like this.
@@ -260,4 +263,4 @@ bool displayHidden(const State& state, const DisplayVertex& vertex) {
            state.damage[std::size_t{kBondsPerCell} * vertex.bondOwner + axis] < 1;
 }
 
-}  // namespace sunder
+}  // namespace sunder::surface

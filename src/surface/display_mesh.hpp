@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/display_lattice.hpp"
+#include "surface/display_lattice.hpp"
 
-namespace sunder {
+namespace sunder::surface {
 
 #include "../../glsl/shared/display_vertex.h"
 
@@ -30,7 +30,7 @@ class DisplayMesh {
   public:
     /// Where there would be more than `mostVertices`, cells get fewer edge points. Throws
     /// InputError where even without any there would be more.
-    explicit DisplayMesh(const World&, std::int64_t mostVertices = kMostDisplayVertices);
+    explicit DisplayMesh(const core::World&, std::int64_t mostVertices = kMostDisplayVertices);
 
     const std::vector<DisplayVertex>& vertices() const { return vertices_; }
     /// Three per triangle, anticlockwise seen from outside the section. Opaque cells' come first.
@@ -41,7 +41,8 @@ class DisplayMesh {
     bool simplified() const { return simplified_; }
 
   private:
-    void addBody(const World&, int body, int mostSegments, std::vector<std::uint32_t>& transparent);
+    void addBody(const core::World&, int body, int mostSegments,
+                 std::vector<std::uint32_t>& transparent);
 
     std::vector<DisplayVertex> vertices_;
     std::vector<std::uint32_t> indices_;
@@ -55,9 +56,9 @@ class DisplayMesh {
 /// it to the same tetrahedron, of the cell that it lies in if that is one of them, so there is no
 /// seam. Cells that have come apart bind it each to one of their own, and draw back from each other
 /// by SUNDER_DISPLAY_GAP of a cell, so that a crack is seen before it opens.
-Vec3 displayedPosition(const World&, const State&, const DisplayVertex&);
+core::Vec3 displayedPosition(const core::World&, const core::State&, const DisplayVertex&);
 
 /// Whether a vertex belongs to a face that nothing can see: its bond holds.
-bool displayHidden(const State&, const DisplayVertex&);
+bool displayHidden(const core::State&, const DisplayVertex&);
 
-}  // namespace sunder
+}  // namespace sunder::surface

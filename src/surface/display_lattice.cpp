@@ -1,4 +1,4 @@
-#include "core/display_lattice.hpp"
+#include "surface/display_lattice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,10 @@
 #include "core/strength_map.hpp"
 #include "core/tetrahedra.hpp"
 
-namespace sunder {
+namespace sunder::surface {
+
+using namespace core;
+
 namespace {
 
 /// Share of a cell's edge that a point may move across it. Below one half, or two opposite faces
@@ -440,4 +443,4 @@ bool DisplayLattice::clusterBoundary(const IVec3& cell, int axis) const {
     return boundary_[cell[0] + cells_[0] * (cell[1] + cells_[1] * cell[2])] >> axis & 1;
 }
 
-}  // namespace sunder
+}  // namespace sunder::surface

@@ -1,4 +1,4 @@
-#include "balance/solver_factory.hpp"
+#include "sim/solver_factory.hpp"
 
 #include "balance/balanced_solver.hpp"
 #include "cpu/cpu_solver.hpp"
@@ -6,7 +6,9 @@
 #include "gpu/gather.hpp"
 #include "gpu/scatter.hpp"
 
-namespace sunder {
+namespace sunder::sim {
+
+using namespace core;
 
 const std::vector<SolverInfo>& solvers() {
     static const std::vector<SolverInfo> known = {
@@ -38,9 +40,10 @@ std::unique_ptr<Solver> makeSolver(const SolverInfo& info, const World& world,
                                    const gpu::WorldBuffers* buffers, int threads) {
     if (info.name == "gather") return std::make_unique<gpu::GatherSolver>(world, *buffers);
     if (info.name == "scatter") return std::make_unique<gpu::ScatterSolver>(world, *buffers);
-    if (info.name == "auto") return std::make_unique<BalancedSolver>(world, *buffers, threads);
-    if (info.name == "cpu") return std::make_unique<CpuSolver>(world, threads);
-    return std::make_unique<ReferenceSolver>(world);
+    if (info.name == "auto")
+        return std::make_unique<balance::BalancedSolver>(world, *buffers, threads);
+    if (info.name == "cpu") return std::make_unique<cpu::CpuSolver>(world, threads);
+    return std::make_unique<cpu::ReferenceSolver>(world);
 }
 
 SolverView::SolverView(const World& world, Solver& solver) : solver_(solver) {
@@ -53,4 +56,4 @@ gpu::StateView SolverView::view() {
     return dynamic_cast<gpu::GpuSolver&>(solver_).view();
 }
 
-}  // namespace sunder
+}  // namespace sunder::sim

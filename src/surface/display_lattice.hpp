@@ -3,7 +3,7 @@
 
 #include "core/world.hpp"
 
-namespace sunder {
+namespace sunder::surface {
 
 /// The lattice of the mesh that is seen (thesis, chapter 8), of one body: the cells' lattice, each
 /// cell divided into segments, and every point moved so that the pieces of a broken wall look torn.
@@ -22,33 +22,33 @@ namespace sunder {
 /// piece of the lattice inside out are reduced until none is.
 class DisplayLattice {
   public:
-    DisplayLattice(const World&, int body, int mostSegments);
+    DisplayLattice(const core::World&, int body, int mostSegments);
 
     /// Segments of a cell along x, y, z.
-    const IVec3& segments() const { return segments_; }
+    const core::IVec3& segments() const { return segments_; }
     /// Points along x, y, z.
-    const IVec3& size() const { return size_; }
-    int index(const IVec3& p) const { return p[0] + size_[0] * (p[1] + size_[1] * p[2]); }
+    const core::IVec3& size() const { return size_; }
+    int index(const core::IVec3& p) const { return p[0] + size_[0] * (p[1] + size_[1] * p[2]); }
     /// m, from the body's origin, at rest.
-    const Vec3& position(const IVec3& p) const { return positions_[index(p)]; }
+    const core::Vec3& position(const core::IVec3& p) const { return positions_[index(p)]; }
 
     /// Whether the point lies on the outside of the body's cells (beyond it there is none), for a
     /// face with normal `axis`. `p` must lie on a plane between cells of that axis.
-    bool outside(const IVec3& p, int axis) const;
+    bool outside(const core::IVec3& p, int axis) const;
     /// Whether the bond through the + face of a cell (lattice coordinates) lies on the boundary of
     /// two clusters.
-    bool clusterBoundary(const IVec3& cell, int axis) const;
+    bool clusterBoundary(const core::IVec3& cell, int axis) const;
 
   private:
     struct Maker;
-    IVec3 segments_, size_;
-    IVec3 cells_;
-    std::vector<Vec3> positions_;
+    core::IVec3 segments_, size_;
+    core::IVec3 cells_;
+    std::vector<core::Vec3> positions_;
     std::vector<std::uint8_t> outside_;   ///< bit per axis, per point
     std::vector<std::uint8_t> boundary_;  ///< bit per axis, per cell
 };
 
 /// Segments of a cell along x, y, z that the materials of its body ask for.
-IVec3 displaySegments(const World&, int body);
+core::IVec3 displaySegments(const core::World&, int body);
 
-}  // namespace sunder
+}  // namespace sunder::surface

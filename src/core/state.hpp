@@ -1,0 +1,24 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "core/object.hpp"
+#include "core/types.hpp"
+
+namespace sunder::core {
+
+/// The state a solver advances. Doubles hold every solver's values without loss.
+struct State {
+    std::int64_t step = 0;
+    std::vector<Vec3> displacement;  ///< m, per node, from rest
+    std::vector<Vec3> velocity;      ///< m/s, per node
+    std::vector<double>
+        damage;                ///< per bond; holds below 1, never decreases; kNoBond: no neighbour
+    std::vector<double> slow;  ///< Pa, per bond: slow part of its traction
+    /// Pa, per cell: slow part of its largest principal stress; 0 unless it breaks by that
+    /// (`fracture = "cell"`) and its stiffness is limited.
+    std::vector<double> slowStress;
+    std::vector<ObjectState> objects;
+};
+
+}  // namespace sunder::core
