@@ -5,7 +5,7 @@
 
 #include "catch.hpp"
 
-using sunder::Clock;
+using sunder::view::Clock;
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include "catch.hpp"
 
-using sunder::LoadBalancer;
+using sunder::balance::LoadBalancer;
 
 namespace {
 

@@ -7,9 +7,9 @@
 
 #include "catch.hpp"
 
-using sunder::CameraDescription;
-using sunder::OrbitCamera;
-using sunder::Vec3;
+using sunder::core::Vec3;
+using sunder::scene::CameraDescription;
+using sunder::view::OrbitCamera;
 
 namespace {
 

@@ -11,7 +11,7 @@
 #include "image/scaling.hpp"
 #include "support/ffmpeg.hpp"
 
-using sunder::Image;
+using sunder::image::Image;
 
 namespace {
 
