@@ -3,7 +3,7 @@
 
 // Spheres of a cell along x, y and z.
 vec3 sphereCounts(BodyRecord body) {
-    int counts = int(body.events.z);
+    int counts = int(body.spheres.x);
     return vec3(counts & 15, counts >> 4 & 15, counts >> 8);
 }
 

@@ -28,6 +28,6 @@ void main() {
         x += weight * displacementOf(cell, k);
         v += weight * velocityOf(cell, k);
     }
-    centre = vec4(x, body.events.w);
+    centre = vec4(x, body.spheres.y);
     velocity = vec4(v, 0.0);
 }

@@ -36,8 +36,8 @@ vec3 groupForce(int cell, int corner, uint mask, ivec3 strides) {
 }
 
 // corner is a constant wherever this is called, so that the compiler indexes nothing at run time.
-void updateNode(int corner, int cell, ivec2 texel, BodyRecord body, vec4 masks, float inverseMass, out vec4 displacement,
-                out vec4 velocity) {
+void updateNode(int corner, int cell, ivec2 texel, int bodyIndex, BodyRecord body, vec4 masks, float inverseMass,
+                out vec4 displacement, out vec4 velocity) {
     displacement = texelFetch(nodes, ivec3(texel, displacementLayer(corner)), 0);
     velocity = texelFetch(nodes, ivec3(texel, velocityLayer(corner)), 0);
     vec3 force = groupForce(cell, corner, linkMaskOf(masks, corner), cellStrides(ivec4(body.lattice)));
@@ -48,7 +48,7 @@ void updateNode(int corner, int cell, ivec2 texel, BodyRecord body, vec4 masks, 
     vec3 restPosition = vec3(0.0, displacement.w, 0.0);
 #endif
 #if EVENTS
-    acceleration += eventAcceleration(body.events.xy, restPosition, stepInFrame);
+    acceleration += eventAcceleration(bodyIndex, restPosition, displacement.xyz, stepInFrame);
 #endif
     vec3 u = displacement.xyz, v = velocity.xyz;
     integrateNode(u, v, acceleration, body.gravity.w, restPosition);
@@ -62,9 +62,10 @@ void main() {
     int cell = fragmentIndex();
     vec4 masks = texelFetch(links, ivec3(texel, 0), 0);
     vec4 inverseMasses = texelFetch(links, ivec3(texel, 1 + FIRST / 4), 0);
-    BodyRecord body = bodyRecord(bodyOf(cellRecord(cell)));
-    updateNode(FIRST, cell, texel, body, masks, inverseMasses.x, newNodes[0], newNodes[1]);
-    updateNode(FIRST + 1, cell, texel, body, masks, inverseMasses.y, newNodes[2], newNodes[3]);
-    updateNode(FIRST + 2, cell, texel, body, masks, inverseMasses.z, newNodes[4], newNodes[5]);
-    updateNode(FIRST + 3, cell, texel, body, masks, inverseMasses.w, newNodes[6], newNodes[7]);
+    int index = bodyOf(cellRecord(cell));
+    BodyRecord body = bodyRecord(index);
+    updateNode(FIRST, cell, texel, index, body, masks, inverseMasses.x, newNodes[0], newNodes[1]);
+    updateNode(FIRST + 1, cell, texel, index, body, masks, inverseMasses.y, newNodes[2], newNodes[3]);
+    updateNode(FIRST + 2, cell, texel, index, body, masks, inverseMasses.z, newNodes[4], newNodes[5]);
+    updateNode(FIRST + 3, cell, texel, index, body, masks, inverseMasses.w, newNodes[6], newNodes[7]);
 }

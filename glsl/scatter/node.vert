@@ -18,10 +18,11 @@ void main() {
     newVelocity = vec4(0.0);
     vec4 force = texelFetch(cumulativeForces, texelAddress(gl_VertexID), 0);
     if (force.a == 0.0) return;  // anchored, or no cell here
-    BodyRecord body = bodyRecord(bodyOf(cellRecord(gl_VertexID >> 3)));
+    int index = bodyOf(cellRecord(gl_VertexID >> 3));
+    BodyRecord body = bodyRecord(index);
     vec3 restPosition = texelFetch(rest, gl_VertexID).xyz;
-    vec3 acceleration =
-        force.rgb * force.a + body.gravity.xyz + eventAcceleration(body.events.xy, restPosition, stepInFrame);
+    vec3 acceleration = force.rgb * force.a + body.gravity.xyz +
+                        eventAcceleration(index, restPosition, displacement.xyz, stepInFrame);
     vec3 u = displacement.xyz, v = velocity.xyz;
     integrateNode(u, v, acceleration, body.gravity.w, restPosition);
     newDisplacement = vec4(u, displacement.w);

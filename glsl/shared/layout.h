@@ -56,7 +56,7 @@ struct BodyRecord {
     vec4 lattice;  // cells along x, y, z; first cell
     vec4 cellSize; // xyz: m; w unused
     vec4 gravity;  // xyz: m/s²; w: exp(−drag·h)
-    vec4 events;   // first event, number of events; spheres of a cell along x, y, z: x + 16 y + 256 z; their radius, m
+    vec4 spheres;  // of a cell: how many along x, y, z: x + 16 y + 256 z; their radius, m; zw unused
 };
 #define SUNDER_BODY_TEXELS 4
 
@@ -69,11 +69,12 @@ struct PartingRecord {
 };
 #define SUNDER_PARTING_TEXELS 3
 
-// One event: three texels of the texture buffer `events` (RGBA32F).
+// One event: three texels of the texture buffer `events` (RGBA32F). Before all of them, a texel for the events of every body, then one
+// for each body: the first of its events' texels, and how many events it has.
 struct EventRecord {
     vec4 patch_;       // xyz: centre, m; w: radius, m
-    vec4 acceleration; // xyz: m/s²; w unused
-    vec4 time;         // start, end in steps from the start of this frame; zw unused
+    vec4 acceleration; // xyz: m/s²; w: m/s² away from the centre
+    vec4 time;         // start, end in steps from the start of this frame; 1: it lessens towards the rim; w unused
 };
 #define SUNDER_EVENT_TEXELS 3
 

@@ -23,6 +23,10 @@ class BalancedSolver : public gpu::GpuSolver {
     void finish() override { gather_.finish(); }
     core::State state() const override;
     void setState(const core::State& state) override;
+    void push(const core::Event& event) override {
+        gather_.push(event);
+        cpu_.push(event);
+    }
     bool asleep(int body) const override;
     bool objectAsleep(int object) const override;
     /// Of the bodies on the GPU; `cpu` has room for all.

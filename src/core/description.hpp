@@ -34,8 +34,9 @@ struct BodyDescription {
     std::string where;        ///< for error messages, for example "wood.toml:31: body 1: position"
 };
 
-/// Something that pushes a patch of a body for a while. All nodes whose rest position lies within
-/// `radius` of `point` get the same acceleration.
+/// Something that pushes a patch of a body for a while: all nodes whose rest position lies within
+/// `radius` of `point` get the same acceleration. Or what a ball holds of all bodies (kEveryBody),
+/// wherever they are by then: a blast.
 struct EventDescription {
     enum class Kind {
         Impulse,   ///< vector is the whole momentum given to the patch, N·s
@@ -46,10 +47,15 @@ struct EventDescription {
     double duration =
         5e-3;  ///< s; an impulse is spread evenly over it (0.005 by default: less dust)
     Kind kind = Kind::Impulse;
-    int body = 0;
-    Vec3 point{0, 0, 0};  ///< m, relative to the body's position
+    int body = 0;         ///< index into WorldDescription::bodies, or kEveryBody
+    Vec3 point{0, 0, 0};  ///< m, relative to the body's position; of every body: in the world
     double radius = 0.1;  ///< m
     Vec3 vector{0, 0, 0};
+    /// Only of every body, whose kind must be Velocity: m/s, added to `vector` in the direction
+    /// away from `point`; and whether all of it lessens towards the rim, by 1 − d²/radius² at
+    /// distance d.
+    double outward = 0;
+    bool falloff = false;
     std::string where;  ///< for error messages, for example "wood.toml:31: event 1"
 };
 

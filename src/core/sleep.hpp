@@ -50,10 +50,5 @@ bool calm(const ObjectUnrest& unrest);
 
 /// Steps that a body must be calm for.
 int sleepSteps(const World& world);
-/// Whether an event acts on the body at any time within steps from .. to − 1.
-bool pushedWithin(const World& world, int body, std::int64_t from, std::int64_t to);
-/// The first step from `from` on that an event acts on the body in; the largest number there is
-/// where none does.
-std::int64_t nextPush(const World& world, int body, std::int64_t from);
 
 }  // namespace sunder::core

@@ -31,6 +31,11 @@ class Solver {
     virtual State state() const = 0;
     /// `state` must come from the same world.
     virtual void setState(const State& state) = 0;
+    /// From the next step on this event acts, too, as if the world's description had had it
+    /// (World::makeEvent()): the same bits follow. It must not begin before the step that the
+    /// solver is at. What sleeps in its reach wakes when it begins. Nothing is read back, and
+    /// nothing waits.
+    virtual void push(const Event& event) = 0;
     /// Whether a body or an object is at rest and costs nothing (core/sleep.hpp); solvers may never
     /// let one.
     virtual bool asleep([[maybe_unused]] int body) const { return false; }

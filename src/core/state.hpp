@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/event.hpp"
 #include "core/object.hpp"
 #include "core/types.hpp"
 
@@ -19,6 +20,8 @@ struct State {
     /// (`fracture = "cell"`) and its stiffness is limited.
     std::vector<double> slowStress;
     std::vector<ObjectState> objects;
+    /// Events that were given to the solver (Solver::push()) and have not ended.
+    std::vector<Event> pushes;
 };
 
 }  // namespace sunder::core

@@ -22,6 +22,12 @@ SidePlace place(Side side) {
     return {static_cast<int>(side) / 2, static_cast<int>(side) % 2};
 }
 
+/// A time that is meant to be a whole number of steps is one, however it was rounded.
+double inSteps(double time, double step) {
+    const double steps = time / step, whole = std::round(steps);
+    return std::abs(steps - whole) <= 1e-12 * std::max(1.0, steps) ? whole : steps;
+}
+
 }  // namespace
 
 IVec3 Body::coordinates(int cell) const {
@@ -31,17 +37,6 @@ IVec3 Body::coordinates(int cell) const {
 
 bool Body::contains(const IVec3& c) const {
     return (c.array() >= 0).all() && (c.array() < cells.array()).all();
-}
-
-double Event::weight(std::int64_t step) const {
-    const auto begin = static_cast<double>(step);
-    return std::clamp(std::min(end, begin + 1) - std::max(start, begin), 0.0, 1.0);
-}
-
-bool insidePatch(const Event& event, const Eigen::Vector3f& rest) {
-    const float x = rest[0] - event.point[0], y = rest[1] - event.point[1],
-                z = rest[2] - event.point[2];
-    return x * x + y * y + z * z <= event.radius * event.radius;
 }
 
 World::World(WorldDescription description) : description_(std::move(description)) {
@@ -258,38 +253,50 @@ void World::makeEvents() {
     std::vector<EventDescription> sorted = description_.events;
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const auto& a, const auto& b) { return a.body < b.body; });
-    for (const EventDescription& from : sorted) {
-        Body& body = bodies_[from.body];
-        Event event;
-        event.body = from.body;
-        event.point = (description_.bodies[from.body].position + from.point).cast<float>();
-        event.radius = static_cast<float>(from.radius);
-        event.start = from.time / step();
-        event.end = (from.time + from.duration) / step();
-        double mass = 0;
-        for (int node = kCorners * body.firstCell;
-             node < kCorners * (body.firstCell + body.cellCount()); ++node) {
-            if (!anchored(node) && insidePatch(event, restPosition(node).cast<float>()))
-                mass += nodeMass(node);
-        }
-        if (mass == 0)
-            throw InputError(from.where + ": no free node of body '" + body.name +
-                             "' lies within radius " +
-                             "of point; move the point onto the body or raise the radius");
-        switch (from.kind) {
-            case EventDescription::Kind::Impulse:
-                event.acceleration = from.vector / (mass * from.duration);
-                break;
-            case EventDescription::Kind::Force:
-                event.acceleration = from.vector / mass;
-                break;
-            case EventDescription::Kind::Velocity:
-                event.acceleration = from.vector / from.duration;
-                break;
-        }
-        if (body.eventCount++ == 0) body.firstEvent = static_cast<int>(events_.size());
-        events_.push_back(event);
+    for (const EventDescription& from : sorted) events_.push_back(makeEvent(from));
+}
+
+Event World::makeEvent(const EventDescription& from) const {
+    Event event;
+    event.body = from.body;
+    event.radius = static_cast<float>(from.radius);
+    event.start = inSteps(from.time, step());
+    event.end = inSteps(from.time + from.duration, step());
+    if (from.body == kEveryBody) {
+        if (from.kind != EventDescription::Kind::Velocity)
+            throw InputError(from.where +
+                             ": an event of every body must be of the kind velocity; what mass its "
+                             "ball will hold is not known");
+        event.point = from.point.cast<float>();
+        event.acceleration = from.vector / from.duration;
+        event.outward = from.outward / from.duration;
+        event.falloff = from.falloff;
+        return event;
     }
+    const Body& body = bodies_[from.body];
+    event.point = (description_.bodies[from.body].position + from.point).cast<float>();
+    double mass = 0;
+    for (int node = kCorners * body.firstCell;
+         node < kCorners * (body.firstCell + body.cellCount()); ++node) {
+        if (!anchored(node) && insidePatch(event, restPosition(node).cast<float>()))
+            mass += nodeMass(node);
+    }
+    if (mass == 0)
+        throw InputError(from.where + ": no free node of body '" + body.name +
+                         "' lies within radius " +
+                         "of point; move the point onto the body or raise the radius");
+    switch (from.kind) {
+        case EventDescription::Kind::Impulse:
+            event.acceleration = from.vector / (mass * from.duration);
+            break;
+        case EventDescription::Kind::Force:
+            event.acceleration = from.vector / mass;
+            break;
+        case EventDescription::Kind::Velocity:
+            event.acceleration = from.vector / from.duration;
+            break;
+    }
+    return event;
 }
 
 void World::makeObjects() {

@@ -22,7 +22,6 @@ struct Body {
     double drag = 0;  ///< 1/s, mass-weighted mean of its cells' `damping`
     Vec3 gravity{0, 0,
                  0};  ///< m/s², the scene's times the mass-weighted mean of its cells' `gravity`
-    int firstEvent = 0, eventCount = 0;
     double calmest = std::numeric_limits<double>::infinity();  ///< m/s: see core/sleep.hpp
 
     int cellCount() const { return cells.prod(); }
@@ -102,6 +101,10 @@ class World {
     bool breakable() const { return bondsBreak() || cellsBreak(); }
 
     State initialState() const;
+
+    /// What an event means in this world. Its body must be one of this world's. Throws InputError
+    /// where it could push nothing.
+    Event makeEvent(const EventDescription&) const;
 
   private:
     void layOutCells();

@@ -99,6 +99,15 @@ struct BodyArrays {
                                               ///< its depth; at most, m
 
     int place(int x, int y, int z) const { return x * steps[0] + y * steps[1] + z * steps[2]; }
+    /// Lattice coordinates of the cell at a place.
+    core::IVec3 coordinates(int place) const {
+        const int slow = steps[2] > steps[1] ? 2 : 1, middle = 3 - slow;
+        core::IVec3 c;
+        c[slow] = place / steps[slow];
+        c[middle] = place % steps[slow] / steps[middle];
+        c[0] = place % steps[slow] % steps[middle];
+        return c;
+    }
 };
 
 inline constexpr int kNodeComponents = 3 * core::kCorners;

@@ -3,34 +3,50 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 
 namespace sunder::cpu {
 
 using namespace core;
 
-BodyRun::BodyRun(const World& world, int index, const std::vector<Law>& laws)
-    : world_(world), storage_(world, index, laws), news_(kMaxParts) {
+BodyRun::BodyRun(const World& world, int index, const std::vector<Law>& laws,
+                 const EventSchedule& events)
+    : world_(world), events_(events), storage_(world, index, laws), news_(kMaxParts) {
     const Body& body = world.bodies()[index];
     const BodyArrays& a = storage_.arrays();
-    for (int event = body.firstEvent; event < body.firstEvent + body.eventCount; ++event) {
-        Patch patch{event, std::vector<std::uint8_t>(static_cast<std::size_t>(a.stride))};
-        for (int node = kCorners * body.firstCell; node < kCorners * (body.firstCell + a.cells);
-             ++node) {
-            const Vec3 rest = world.restPosition(node);
-            if (!insidePatch(world.events()[event], rest.cast<float>())) continue;
-            const IVec3 c = body.coordinates(node / kCorners);
-            auto& bits = patch.corners[a.place(c[0], c[1], c[2])];
-            bits = static_cast<std::uint8_t>(bits | 1 << node % kCorners);
-        }
-        patches_.push_back(std::move(patch));
-    }
-    pushes_.reserve(patches_.size());
+    for (const Event& event : world.events()) addPatch(event, 0);
+    ofWorld_ = patches_.size();
     reach_ = (a.reach + kLanes - 1) / kLanes;
     const double calm = calmSpeed(world, body), creep = creepSpeed(world, body);
     calmSpeed2_ = static_cast<float>(calm * calm);
     creepSpeed2_ = static_cast<float>(creep * creep);
     sleepSteps_ = sunder::core::sleepSteps(world);
+}
+
+void BodyRun::addPatch(const Event& event, std::int64_t now) {
+    const BodyArrays& a = storage_.arrays();
+    const Body& body = world_.bodies()[a.index];
+    if (event.body != a.index) return;
+    const auto later = patches_.begin() + static_cast<std::ptrdiff_t>(ofWorld_);
+    patches_.erase(std::remove_if(later, patches_.end(),
+                                  [&](const Patch& old) { return old.event.hasEnded(now); }),
+                   patches_.end());
+    Patch patch{event, std::vector<std::uint8_t>(static_cast<std::size_t>(a.stride))};
+    for (int node = kCorners * body.firstCell; node < kCorners * (body.firstCell + a.cells);
+         ++node) {
+        const Vec3 rest = world_.restPosition(node);
+        if (!insidePatch(event, rest.cast<float>())) continue;
+        const IVec3 c = body.coordinates(node / kCorners);
+        auto& bits = patch.corners[a.place(c[0], c[1], c[2])];
+        bits = static_cast<std::uint8_t>(bits | 1 << node % kCorners);
+    }
+    patches_.push_back(std::move(patch));
+}
+
+void BodyRun::setAddedPatches(const std::vector<Event>& events, std::int64_t now) {
+    patches_.resize(ofWorld_);
+    for (const Event& event : events) addPatch(event, now);
 }
 
 std::size_t BodyRun::bytes() const {
@@ -44,7 +60,8 @@ bool BodyRun::startStep(std::int64_t step) {
     check_ = step % world_.description().fractureInterval == 0;
     fracture_ = check_ && (body.bondsBreak || body.cellsBreak);
     gatherPushes(step);
-    if (!pushes_.empty()) asleep_ = false;
+    gatherBlasts(step);
+    if (!pushes_.empty() || !blasts_.empty()) asleep_ = false;
     return !asleep_;
 }
 
@@ -66,7 +83,7 @@ void BodyRun::breakBonds(int first, int end, int part) {
 
 void BodyRun::endStep() {
     if (!check_) return;
-    bool broke = false, calm = pushes_.empty();
+    bool broke = false, calm = pushes_.empty() && blasts_.empty();
     const float limit = touching_ ? creepSpeed2_ : calmSpeed2_;
     for (PartNews& news : news_) {
         broke |= news.bonds.broke;
@@ -113,6 +130,7 @@ void BodyRun::finishNodes(int first, int end, int part) {
 
 void BodyRun::moveNodes(int first, int end, int part) {
     if (first == end) return;
+    if (!blasts_.empty()) addBlasts(first, end);
     float& fastest = news_[part].fastest;
     fastest = std::max(fastest, updateNodes(storage_.arrays(), first, end, pushes_));
 }
@@ -120,11 +138,69 @@ void BodyRun::moveNodes(int first, int end, int part) {
 void BodyRun::gatherPushes(std::int64_t step) {
     pushes_.clear();
     for (const Patch& patch : patches_) {
-        const Event& event = world_.events()[patch.event];
+        const double weight = patch.event.weight(step);
+        if (weight == 0) continue;
+        const Eigen::Vector3f a = (weight * patch.event.acceleration).cast<float>();
+        pushes_.push_back({patch.corners.data(), {a[0], a[1], a[2]}});
+    }
+}
+
+void BodyRun::gatherBlasts(std::int64_t step) {
+    blasts_.clear();
+    std::optional<Box> box;
+    for (const int index : events_.blasts()) {
+        const Event& event = events_.all()[index];
         const double weight = event.weight(step);
         if (weight == 0) continue;
-        const Eigen::Vector3f a = (weight * event.acceleration).cast<float>();
-        pushes_.push_back({patch.corners.data(), {a[0], a[1], a[2]}});
+        if (!box) box = bounds();
+        if (event.reaches(box->low, box->high)) blasts_.push_back({&event, weight});
+    }
+}
+
+bool BodyRun::blastWithin(std::int64_t from, std::int64_t to) const {
+    std::optional<Box> box;
+    for (const int index : events_.blasts()) {
+        const Event& event = events_.all()[index];
+        if (event.nextStep(from) >= to) continue;
+        if (!box) box = bounds();
+        if (event.reaches(box->low, box->high)) return true;
+    }
+    return false;
+}
+
+Box BodyRun::bounds() const {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    Box box{Vec3::Constant(far), Vec3::Constant(-far)};
+    const int index = storage_.arrays().index;
+    const Body& body = world_.bodies()[index];
+    for (int node = kCorners * body.firstCell;
+         node < kCorners * (body.firstCell + body.cellCount()); ++node) {
+        if (!world_.present(node / kCorners)) continue;
+        const Vec3 place = position(node);
+        box.low = box.low.cwiseMin(place);
+        box.high = box.high.cwiseMax(place);
+    }
+    return box;
+}
+
+/// Into velocities, just before the nodes move by them: as it would be in the step's acceleration,
+/// but for rounding.
+void BodyRun::addBlasts(int first, int end) {
+    const BodyArrays& a = storage_.arrays();
+    const Body& body = world_.bodies()[a.index];
+    const double share = world_.step() / a.drag;  // the step lets velocities fade before it adds
+    for (int place = first * kLanes; place < std::min(end * kLanes, a.cells); ++place) {
+        const int cell = body.cellAt(a.coordinates(place));
+        if (!world_.present(cell)) continue;
+        for (int corner = 0; corner < kCorners; ++corner) {
+            if (a.inverseMass[tiled(kCorners, corner, place)] == 0) continue;  // anchored
+            const Vec3 x = position(kCorners * cell + corner);
+            Vec3 sum = Vec3::Zero();
+            for (const Blast& blast : blasts_) sum += blast.weight * blast.event->accelerationAt(x);
+            for (int axis = 0; axis < 3; ++axis)
+                a.velocity[tiled(kNodeComponents, 3 * corner + axis, place)] +=
+                    static_cast<float>(share * sum[axis]);
+        }
     }
 }
 

@@ -12,7 +12,9 @@ namespace sunder::cpu {
 /// One body on its way through time.
 class BodyRun {
   public:
-    BodyRun(const core::World& world, int body, const std::vector<Law>& laws);
+    /// All must outlive it.
+    BodyRun(const core::World& world, int body, const std::vector<Law>& laws,
+            const core::EventSchedule& events);
 
     /// Advances from step number `from`. `split(vectors, work)` calls work(first, end, part) for
     /// parts 0..kMaxParts−1 of the vectors, in any order and in as many threads as it likes.
@@ -27,6 +29,15 @@ class BodyRun {
     void nodes(int first, int end, int part);
     void endStep();
     const BodyArrays& arrays() const { return storage_.arrays(); }
+
+    /// The schedule has one more event, at step `now`.
+    void addPatch(const core::Event& event, std::int64_t now);
+    /// These instead of all that were added.
+    void setAddedPatches(const std::vector<core::Event>& events, std::int64_t now);
+    /// Whether an event acts on it within steps from .. to − 1, as far as it stays where it is.
+    bool pushedWithin(std::int64_t from, std::int64_t to) const {
+        return events_.pushedWithin(storage_.arrays().index, from, to) || blastWithin(from, to);
+    }
 
     /// Whether bonds that break are listed from now on.
     void listBreaks(bool list) {
@@ -68,9 +79,15 @@ class BodyRun {
     static constexpr int kMaxParts = 64;
 
   private:
+    /// What an event of this body pushes.
     struct Patch {
-        int event;
+        core::Event event;
         std::vector<std::uint8_t> corners;  ///< per cell, bit per corner
+    };
+    /// An event of every body that reaches this one, in the step in progress.
+    struct Blast {
+        const core::Event* event;
+        double weight;
     };
     struct PartNews {
         float fastest = 0;
@@ -89,13 +106,21 @@ class BodyRun {
     };
     Inner inner(int first, int end) const;
     void gatherPushes(std::int64_t step);
+    void gatherBlasts(std::int64_t step);
+    bool blastWithin(std::int64_t from, std::int64_t to) const;
+    void addBlasts(int first, int end);
+    /// m, of its nodes.
+    core::Box bounds() const;
     void updateSleep(bool calm);
     void listBroken();
 
     const core::World& world_;
+    const core::EventSchedule& events_;
     BodyStorage storage_;
     std::vector<Patch> patches_;
-    std::vector<Push> pushes_;  ///< at work in this step
+    std::size_t ofWorld_ = 0;    ///< how many of them are of the world's events
+    std::vector<Push> pushes_;   ///< at work in this step
+    std::vector<Blast> blasts_;  ///< likewise
     std::vector<PartNews> news_;
     int reach_ = 0;  ///< vectors on either side of one that its nodes' neighbours may lie in
     float calmSpeed2_ = 0, creepSpeed2_ = 0;  ///< m²/s²
@@ -109,7 +134,7 @@ class BodyRun {
 
 template <class Split>
 void BodyRun::advance(std::int64_t from, int steps, const Split& split) {
-    if (asleep_ && !core::pushedWithin(world_, storage_.arrays().index, from, from + steps)) return;
+    if (asleep_ && !pushedWithin(from, from + steps)) return;
     const int vectors = storage_.arrays().vectors;
     for (std::int64_t step = from; step < from + steps; ++step) {
         if (!startStep(step)) continue;

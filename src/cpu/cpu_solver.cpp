@@ -18,7 +18,7 @@ constexpr int kVectorsPerPart = 16;
 }  // namespace
 
 CpuSolver::CpuSolver(const World& world, int threads)
-    : world_(world), runner_(std::make_unique<Runner>()) {
+    : world_(world), events_(world), runner_(std::make_unique<Runner>()) {
     Runner& runner = *runner_;
     const int cores = tbb::this_task_arena::max_concurrency();
     runner.threads = threads > 0 ? threads : cores;
@@ -30,7 +30,7 @@ CpuSolver::CpuSolver(const World& world, int threads)
     }
     runner.laws = cpu::makeLaws(world);
     for (int body = 0; body < static_cast<int>(world.bodies().size()); ++body)
-        bodies_.push_back(std::make_unique<BodyRun>(world, body, runner.laws));
+        bodies_.push_back(std::make_unique<BodyRun>(world, body, runner.laws, events_));
     runner.touching.assign(bodies_.size(), false);
     if (world.description().contact) {
         std::vector<const cpu::BodyArrays*> arrays;
@@ -284,7 +284,7 @@ void CpuSolver::startThrows() {
 
 void CpuSolver::wakePushed(std::int64_t until) {
     for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
-        if (bodies_[body]->asleep() && pushedWithin(world_, body, step_, until))
+        if (bodies_[body]->asleep() && bodies_[body]->pushedWithin(step_, until))
             wake(memberOfBody(body));
 }
 
@@ -341,14 +341,22 @@ void CpuSolver::findIslands() {
 State CpuSolver::state() const {
     State state = world_.initialState();
     state.step = step_;
+    state.pushes = events_.added(step_);
     for (const auto& run : bodies_)
         if (run->held) run->store(state);
     storeObjects(state);
     return state;
 }
 
+void CpuSolver::push(const Event& event) {
+    events_.add(event, step_);
+    if (event.body != kEveryBody) bodies_[event.body]->addPatch(event, step_);
+}
+
 void CpuSolver::setState(const State& state) {
     step_ = state.step;
+    events_.setAdded(state.pushes);
+    for (const auto& run : bodies_) run->setAddedPatches(state.pushes, step_);
     for (const auto& run : bodies_)
         if (run->held) run->load(state);
     if (runner_->contact) runner_->contact->forget();

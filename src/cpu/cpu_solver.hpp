@@ -21,6 +21,7 @@ class CpuSolver : public core::Solver, public core::BodyHost {
     void advance(int steps) override;
     core::State state() const override;
     void setState(const core::State& state) override;
+    void push(const core::Event& event) override;
     bool asleep(int body) const override;
     bool objectAsleep(int object) const override;
     void setIncidents(core::IncidentRing* ring) override;
@@ -70,6 +71,7 @@ class CpuSolver : public core::Solver, public core::BodyHost {
     bool hasObjects(const std::vector<int>& island) const;
 
     const core::World& world_;
+    core::EventSchedule events_;
     std::int64_t step_ = 0;
     std::vector<std::unique_ptr<BodyRun>> bodies_;
     std::unique_ptr<Runner> runner_;

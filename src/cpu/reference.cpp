@@ -75,14 +75,6 @@ ReferenceSolver::ReferenceSolver(const World& world)
             elements_.push_back(element);
         }
     }
-    for (const Event& event : world.events()) {
-        const Body& body = world.bodies()[event.body];
-        std::vector<int>& nodes = eventNodes_.emplace_back();
-        for (int node = kCorners * body.firstCell;
-             node < kCorners * (body.firstCell + body.cellCount()); ++node)
-            if (const Vec3 x = world.restPosition(node); insidePatch(event, x.cast<float>()))
-                nodes.push_back(node);
-    }
     force_.resize(world.nodeCount());
     eventAcceleration_.resize(world.nodeCount());
     links_.resize(world.nodeCount());
@@ -95,6 +87,7 @@ ReferenceSolver::ReferenceSolver(const World& world)
 
 State ReferenceSolver::state() const {
     State state = state_;
+    std::erase_if(state.pushes, [this](const Event& old) { return old.hasEnded(state_.step); });
     if (objects_) state.objects = objects_->states();
     return state;
 }
@@ -105,6 +98,11 @@ void ReferenceSolver::setState(const State& state) {
     updateLinks();
     searchDue_ = true;
     if (watch_) watch_->forget();
+}
+
+void ReferenceSolver::push(const Event& event) {
+    std::erase_if(state_.pushes, [this](const Event& old) { return old.hasEnded(state_.step); });
+    state_.pushes.push_back(event);
 }
 
 void ReferenceSolver::setIncidents(IncidentRing* ring) {
@@ -212,15 +210,31 @@ void ReferenceSolver::pushObjects() {
     objects_->push(cells);
 }
 
+void ReferenceSolver::addEvent(const Event& event) {
+    const double weight = event.weight(state_.step);
+    if (weight == 0) return;
+    int first = 0, end = world_.cellCount();
+    if (event.body != kEveryBody) {
+        const Body& body = world_.bodies()[event.body];
+        first = body.firstCell;
+        end = first + body.cellCount();
+    }
+    for (int node = kCorners * first; node < kCorners * end; ++node) {
+        const Vec3 rest = world_.restPosition(node);
+        if (event.body == kEveryBody)
+            eventAcceleration_[node] +=
+                weight * event.accelerationAt(rest + state_.displacement[node]);
+        else if (insidePatch(event, rest.cast<float>()))
+            eventAcceleration_[node] += weight * event.acceleration;
+    }
+}
+
 /// Symplectic Euler on joined groups, then the barriers.
 void ReferenceSolver::updateNodes() {
     const double h = world_.step();
     std::fill(eventAcceleration_.begin(), eventAcceleration_.end(), Vec3::Zero());
-    for (std::size_t i = 0; i < eventNodes_.size(); ++i) {
-        const Vec3 acceleration =
-            world_.events()[i].weight(state_.step) * world_.events()[i].acceleration;
-        for (const int node : eventNodes_[i]) eventAcceleration_[node] += acceleration;
-    }
+    for (const auto* events : {&world_.events(), &state_.pushes})
+        for (const Event& event : *events) addEvent(event);
     for (int node = 0; node < world_.nodeCount(); ++node) {
         const int cell = node / kCorners;
         if (!world_.present(cell)) continue;

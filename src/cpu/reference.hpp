@@ -23,6 +23,7 @@ class ReferenceSolver : public core::Solver {
     void advance(int steps) override;
     core::State state() const override;
     void setState(const core::State& state) override;
+    void push(const core::Event& event) override;
     void setIncidents(core::IncidentRing* ring) override;
 
   private:
@@ -51,6 +52,8 @@ class ReferenceSolver : public core::Solver {
     NodeGroup groupOf(int node) const;
     std::vector<ReferenceContact::FreeNode> freeNodes() const;
     void pushObjects();
+    /// Adds what an event does in this step to eventAcceleration_.
+    void addEvent(const core::Event&);
     void updateNodes();
     void updateFracture();
     void breakCells();
@@ -68,7 +71,6 @@ class ReferenceSolver : public core::Solver {
     const core::World& world_;
     std::vector<core::Barrier> barriers_;
     std::vector<Element> elements_;
-    std::vector<std::vector<int>> eventNodes_;   ///< nodes in each event's patch
     std::vector<core::Vec3> eventAcceleration_;  ///< m/s², per node, of the step in progress
     core::State state_;
     std::vector<core::Vec3> force_;                 ///< N, per node, of this copy alone

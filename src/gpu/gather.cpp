@@ -65,7 +65,7 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
           nodes_[0].program(world, "gather/still.frag", {{"NODES", "1"}, {"FIRST", "4"}})},
       bodies_(world.bodies().size(), BodyState::Awake),
       awake_(world.bodies().size(), "awake cells"),
-      monitor_(world, columns_),
+      monitor_(world, columns_, events_.schedule()),
       islands_(memberOfObject(world, static_cast<int>(world.objects().size()))) {
     if (breakable_) {
         const gl::Defines defines = breakDefines(world);
@@ -99,13 +99,20 @@ GatherSolver::NodePass GatherSolver::nodePass(const char* events) const {
 State GatherSolver::state() const {
     State state = world_.initialState();
     state.step = step_;
+    state.pushes = events_.schedule().added(step_);
     read({0, world_.cellCount()}, state);
     if (objects_) objects_->read(state);
     return state;
 }
 
+void GatherSolver::push(const Event& event) {
+    events_.schedule().add(event, step_);
+    nextWake_ = std::min(nextWake_, event.nextStep(step_));
+}
+
 void GatherSolver::setState(const State& state) {
     step_ = state.step;
+    events_.schedule().setAdded(state.pushes);
     if (incidents_) {
         incidents_->finish();
         incidents_->forget();
@@ -448,8 +455,21 @@ void GatherSolver::startThrows() {
 }
 
 void GatherSolver::wakePushed() {
+    const EventSchedule& events = events_.schedule();
+    std::vector<bool> pushed(bodies_.size());
+    for (const int index : events.blasts()) {
+        const Event& blast = events.all()[index];
+        if (blast.nextStep(step_) > step_) continue;
+        // Without contact nobody knows where they are.
+        if (!contact_) pushed.assign(bodies_.size(), true);
+        for (const RestMonitor::Chunk& chunk : monitor_.chunks())
+            if (const auto body = static_cast<std::size_t>(chunk.box.member);
+                body < bodies_.size() && blast.reaches(chunk.box.low, chunk.box.high))
+                pushed[body] = true;
+    }
     for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
-        if (asleep(body) && pushedWithin(world_, body, step_, step_ + 1)) wake(memberOfBody(body));
+        if (asleep(body) && (pushed[body] || events.pushedWithin(body, step_, step_ + 1)))
+            wake(memberOfBody(body));
     bodiesChanged();
 }
 
@@ -481,7 +501,8 @@ void GatherSolver::bodiesChanged() {
         if (bodies_[index] == BodyState::Awake) awake.push_back(index);
         if (holds(index)) held.push_back(index);
         if (bodies_[index] == BodyState::Asleep)
-            nextWake_ = std::min(nextWake_, nextPush(world_, index, step_));
+            nextWake_ = std::min({nextWake_, events_.schedule().nextPush(index, step_),
+                                  events_.schedule().nextBlast(step_)});
     }
     awake_.set(rangesOf(world_, awake), columns_);
     if (contact_) contact_->setCells(rangesOf(world_, awake), rangesOf(world_, held));

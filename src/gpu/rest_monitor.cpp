@@ -41,8 +41,9 @@ int countChunks(const World& world) {
 
 }  // namespace
 
-RestMonitor::RestMonitor(const World& world, int columns)
+RestMonitor::RestMonitor(const World& world, int columns, const EventSchedule& events)
     : world_(world),
+      events_(events),
       interval_(stepsPerLook(world)),
       sleepSteps_(sleepSteps(world)),
       layers_(world.description().contact ? 3 : 1),
@@ -108,7 +109,7 @@ RestMonitor::News RestMonitor::take(const Answer& answer, std::int64_t now) {
             if (some.z >= 2) news.hit.push_back(static_cast<int>(some.z) - 2);
         }
         const float limit = all.z > 0 ? body.creepSpeed2 : body.calmSpeed2;
-        const bool quiet = body.disturbed <= since && !pushedWithin(world_, index, since, now) &&
+        const bool quiet = body.disturbed <= since && !events_.pushedWithin(index, since, now) &&
                            all.x < limit && all.y == 0;
         body.calmSteps = quiet ? body.calmSteps + interval_ : 0;
     }

@@ -15,8 +15,8 @@ namespace sunder::gpu {
 /// later. What it says depends on the number of the step alone, so a run repeats itself to the bit.
 class RestMonitor {
   public:
-    /// columns: of the textures that nodes and bonds lie in.
-    RestMonitor(const core::World& world, int columns);
+    /// columns: of the textures that nodes and bonds lie in. World and events must outlive it.
+    RestMonitor(const core::World& world, int columns, const core::EventSchedule& events);
 
     /// Steps from one look to the next, about 1/60 s.
     int interval() const { return interval_; }
@@ -63,6 +63,7 @@ class RestMonitor {
     News take(const Answer& answer, std::int64_t now);
 
     const core::World& world_;
+    const core::EventSchedule& events_;
     int interval_, sleepSteps_;
     int layers_;  ///< of what a chunk says
     std::vector<Body> bodies_;

@@ -142,6 +142,7 @@ void ScatterSolver::makePrograms() {
 State ScatterSolver::state() const {
     State state;
     state.step = step_;
+    state.pushes = events_.schedule().added(step_);
     nodes_[currentNodes_].nodes.read(state);
     bonds_.bonds().read(state);
     if (objects_) objects_->read(state);
@@ -150,6 +151,7 @@ State ScatterSolver::state() const {
 
 void ScatterSolver::setState(const State& state) {
     step_ = state.step;
+    events_.schedule().setAdded(state.pushes);
     nodes_[currentNodes_].nodes.write(state);
     bindWorld(buffers_);
     bonds_.write(state, feedback_);
@@ -184,6 +186,10 @@ void ScatterSolver::finish() {
     if (!contact_) return;
     droppedContacts_ = std::max(droppedContacts_, contact_->dropped());
     raiseHaste(contactHaste_, contact_->haste());
+}
+
+void ScatterSolver::push(const Event& event) {
+    events_.schedule().add(event, step_);
 }
 
 void ScatterSolver::advance(int steps) {

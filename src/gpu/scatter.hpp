@@ -29,6 +29,7 @@ class ScatterSolver : public GpuSolver {
     void finish() override;
     core::State state() const override;
     void setState(const core::State& state) override;
+    void push(const core::Event& event) override;
     StateView view() override;
     void setIncidents(core::IncidentRing* ring) override;
     /// In the searches that finish() came upon.

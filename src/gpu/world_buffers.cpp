@@ -60,12 +60,11 @@ gl::Buffer makeBodies(const World& world) {
     std::vector<BodyRecord> bodies;
     for (const Body& body : world.bodies()) {
         const ContactProxy proxy = contactProxy(body.cellSize);
-        bodies.push_back(
-            {toVec4(body.cells.cast<double>(), body.firstCell), toVec4(body.cellSize, 0),
-             toVec4(body.gravity, std::exp(-body.drag * world.step())),
-             vec4(static_cast<float>(body.firstEvent), static_cast<float>(body.eventCount),
-                  static_cast<float>(proxy.count.dot(IVec3(1, 16, 256))),
-                  static_cast<float>(proxy.radius))});
+        bodies.push_back({toVec4(body.cells.cast<double>(), body.firstCell),
+                          toVec4(body.cellSize, 0),
+                          toVec4(body.gravity, std::exp(-body.drag * world.step())),
+                          vec4(static_cast<float>(proxy.count.dot(IVec3(1, 16, 256))),
+                               static_cast<float>(proxy.radius), 0, 0)});
     }
     return gl::makeBuffer<BodyRecord>(bodies, GL_STATIC_DRAW, "bodies");
 }
