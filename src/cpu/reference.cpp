@@ -233,8 +233,8 @@ void ReferenceSolver::addEvent(const Event& event) {
 void ReferenceSolver::updateNodes() {
     const double h = world_.step();
     std::fill(eventAcceleration_.begin(), eventAcceleration_.end(), Vec3::Zero());
-    for (const auto* events : {&world_.events(), &state_.pushes})
-        for (const Event& event : *events) addEvent(event);
+    for (const Event& event : world_.events()) addEvent(event);
+    for (const Event& event : state_.pushes) addEvent(event);
     for (int node = 0; node < world_.nodeCount(); ++node) {
         const int cell = node / kCorners;
         if (!world_.present(cell)) continue;
