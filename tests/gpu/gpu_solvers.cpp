@@ -24,6 +24,7 @@ class Checked : public Solver {
         return state;
     }
     void setState(const State& state) override { solver_.setState(state); }
+    void push(const Event& event) override { solver_.push(event); }
     bool setPassObserver(PassObserver* observer) override {
         return solver_.setPassObserver(observer);
     }

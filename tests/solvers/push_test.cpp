@@ -52,6 +52,13 @@ std::vector<EventDescription> fragileEvents(double step) {
     return {blast, patch, force, impulse};
 }
 
+/// Those whose runs repeat: `auto` gives bodies to whoever was faster.
+std::vector<SolverUnderTest> repeatable() {
+    std::vector<SolverUnderTest> result = solversUnderTest();
+    std::erase_if(result, [](const SolverUnderTest& under) { return under.name == "auto"; });
+    return result;
+}
+
 EventDescription blastOf(const Vec3& point, double radius, double step) {
     EventDescription blast;
     blast.kind = EventDescription::Kind::Velocity;
@@ -69,7 +76,7 @@ TEST_CASE("what is pushed while time runs breaks as by the same events of the wo
     const World plain(d);
     d.events = fragileEvents(d.step);
     const World planned(d);
-    for (const SolverUnderTest& under : solversUnderTest()) {
+    for (const SolverUnderTest& under : repeatable()) {
         INFO(under.name);
         const auto expected = under.make(planned), pushed = under.make(plain);
         std::vector<EventDescription> left = d.events;
@@ -97,7 +104,7 @@ TEST_CASE("a state has the pushes that are under way, and goes on with them to t
     d.contact = false;
     d.objects.clear();
     const World world(d);
-    for (const SolverUnderTest& under : solversUnderTest()) {
+    for (const SolverUnderTest& under : repeatable()) {
         INFO(under.name);
         const auto first = under.make(world), second = under.make(world);
         for (const EventDescription& event : fragileEvents(d.step))
