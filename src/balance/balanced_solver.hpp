@@ -27,6 +27,13 @@ class BalancedSolver : public gpu::GpuSolver {
         gather_.push(event);
         cpu_.push(event);
     }
+    void putObject(int object, const core::ObjectState& state) override {
+        // Objects are with the bodies, all of which one of the two has.
+        if (onGpu(0))
+            gather_.putObject(object, state);
+        else
+            cpu_.putObject(object, state);
+    }
     bool asleep(int body) const override;
     bool objectAsleep(int object) const override;
     /// Of the bodies on the GPU; `cpu` has room for all.

@@ -36,6 +36,9 @@ class Solver {
     /// solver is at. What sleeps in its reach wakes when it begins. Nothing is read back, and
     /// nothing waits.
     virtual void push(const Event& event) = 0;
+    /// Puts an object somewhere at once, as a throw does at its time: the same bits follow. It
+    /// wakes, and what it may hit.
+    virtual void putObject(int object, const ObjectState& state) = 0;
     /// Whether a body or an object is at rest and costs nothing (core/sleep.hpp); solvers may never
     /// let one.
     virtual bool asleep([[maybe_unused]] int body) const { return false; }

@@ -353,6 +353,11 @@ void CpuSolver::push(const Event& event) {
     if (event.body != kEveryBody) bodies_[event.body]->addPatch(event, step_);
 }
 
+void CpuSolver::putObject(int object, const ObjectState& state) {
+    wake(memberOfObject(world_, object));
+    runner_->objects->set(object, state);
+}
+
 void CpuSolver::setState(const State& state) {
     step_ = state.step;
     events_.setAdded(state.pushes);
@@ -399,8 +404,7 @@ void CpuSolver::setObjects(const State& state) {
     Objects& objects = *runner_->objects;
     for (int object = 0; object < static_cast<int>(state.objects.size()); ++object) {
         if (objects.states()[object] == state.objects[object]) continue;
-        wake(memberOfObject(world_, object));
-        objects.set(object, state.objects[object]);
+        putObject(object, state.objects[object]);
     }
 }
 

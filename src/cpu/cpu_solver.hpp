@@ -22,6 +22,7 @@ class CpuSolver : public core::Solver, public core::BodyHost {
     core::State state() const override;
     void setState(const core::State& state) override;
     void push(const core::Event& event) override;
+    void putObject(int object, const core::ObjectState& state) override;
     bool asleep(int body) const override;
     bool objectAsleep(int object) const override;
     void setIncidents(core::IncidentRing* ring) override;

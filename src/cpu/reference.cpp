@@ -105,6 +105,10 @@ void ReferenceSolver::push(const Event& event) {
     state_.pushes.push_back(event);
 }
 
+void ReferenceSolver::putObject(int object, const ObjectState& state) {
+    objects_->set(object, state);
+}
+
 void ReferenceSolver::setIncidents(IncidentRing* ring) {
     watch_ = ring ? std::make_unique<IncidentWatch>(world_, *ring) : nullptr;
     if (objects_) objects_->setWatch(watch_.get());

@@ -24,6 +24,7 @@ class ReferenceSolver : public core::Solver {
     core::State state() const override;
     void setState(const core::State& state) override;
     void push(const core::Event& event) override;
+    void putObject(int object, const core::ObjectState& state) override;
     void setIncidents(core::IncidentRing* ring) override;
 
   private:

@@ -110,6 +110,13 @@ void GatherSolver::push(const Event& event) {
     nextWake_ = std::min(nextWake_, event.nextStep(step_));
 }
 
+void GatherSolver::putObject(int object, const ObjectState& state) {
+    wake(memberOfObject(world_, object));
+    objects_->put(object, state, step_);
+    wakeThreatened();
+    bodiesChanged();
+}
+
 void GatherSolver::setState(const State& state) {
     step_ = state.step;
     events_.schedule().setAdded(state.pushes);
@@ -442,16 +449,8 @@ void GatherSolver::fallAsleep(const std::vector<int>& calm) {
 }
 
 void GatherSolver::startThrows() {
-    bool any = false;
-    for (const Throw& thrown : world_.throws()) {
-        if (thrown.step != step_) continue;
-        wake(memberOfObject(world_, thrown.object));
-        objects_->put(thrown.object, thrown.state, step_);
-        any = true;
-    }
-    if (!any) return;
-    wakeThreatened();
-    bodiesChanged();
+    for (const Throw& thrown : world_.throws())
+        if (thrown.step == step_) putObject(thrown.object, thrown.state);
 }
 
 void GatherSolver::wakePushed() {

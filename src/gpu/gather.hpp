@@ -37,6 +37,7 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     core::State state() const override;
     void setState(const core::State& state) override;
     void push(const core::Event& event) override;
+    void putObject(int object, const core::ObjectState& state) override;
     bool asleep(int body) const override { return bodies_[body] == BodyState::Asleep; }
     bool objectAsleep(int object) const override { return objects_ && objects_->asleep(object); }
     StateView view() override;

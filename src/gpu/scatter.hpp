@@ -30,6 +30,7 @@ class ScatterSolver : public GpuSolver {
     core::State state() const override;
     void setState(const core::State& state) override;
     void push(const core::Event& event) override;
+    void putObject(int object, const core::ObjectState& state) override;
     StateView view() override;
     void setIncidents(core::IncidentRing* ring) override;
     /// In the searches that finish() came upon.

@@ -25,6 +25,9 @@ class Checked : public Solver {
     }
     void setState(const State& state) override { solver_.setState(state); }
     void push(const Event& event) override { solver_.push(event); }
+    void putObject(int object, const ObjectState& state) override {
+        solver_.putObject(object, state);
+    }
     bool setPassObserver(PassObserver* observer) override {
         return solver_.setPassObserver(observer);
     }

@@ -99,6 +99,33 @@ TEST_CASE("what is pushed while time runs breaks as by the same events of the wo
     }
 }
 
+TEST_CASE("an object that is thrown while time runs flies and hits as by a throw of the world") {
+    WorldDescription d = fragileWorld();
+    const World plain(d);
+    ThrowDescription thrown;
+    thrown.time = 8 * d.step;
+    thrown.object = 0;
+    thrown.from = {0.05, 0.3, 0.9};
+    thrown.velocity = {0, 1, -20};
+    thrown.spin = {5, 0, 0};
+    d.throws = {thrown};
+    const World planned(d);
+    for (const SolverUnderTest& under : repeatable()) {
+        if (!under.contact) continue;
+        INFO(under.name);
+        const auto expected = under.make(planned), late = under.make(plain);
+        late->advance(8);
+        late->putObject(0, planned.throws()[0].state);
+        late->advance(72);
+        expected->advance(8);
+        expected->advance(72);
+        const State state = late->state();
+        CHECK(stateHash(state) == stateHash(expected->state()));
+        CHECK(state.slow == expected->state().slow);
+        CHECK(diagnose(plain, state).bondsBroken > 0);
+    }
+}
+
 TEST_CASE("a state has the pushes that are under way, and goes on with them to the bit") {
     WorldDescription d = fragileWorld();
     d.contact = false;
