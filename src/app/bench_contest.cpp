@@ -8,7 +8,6 @@
 #include "app/machine.hpp"
 #include "app/progress.hpp"
 #include "app/start.hpp"
-#include "balance/balanced_solver.hpp"
 
 namespace sunder::app {
 
@@ -58,14 +57,14 @@ std::string Entrant::label() const {
 Contest::Contest(scene::Scene scene, const std::vector<Entrant>& entrants,
                  const BenchLimits& limits, const gl::Context* context)
     : scene_(std::move(scene)),
-      world_(scene_.world),
+      layout_(std::make_shared<sim::Layout>(scene_.world)),
       limits_(limits),
       software_(context && context->info().software) {
     std::string problem;
     if (context) {
         const std::size_t before = gl::allocatedBytes();
         try {
-            buffers_.emplace(world_);
+            layout_->upload();
         } catch (const InputError& error) {
             problem = error.what();
         }
@@ -75,21 +74,20 @@ Contest::Contest(scene::Scene scene, const std::vector<Entrant>& entrants,
         Lane& lane = lanes_.emplace_back();
         lane.entrant = entrant;
         if (entrant.solver->gpu) lane.skipped = problem;
-        if (lane.skipped.empty()) makeSolver(lane);
+        if (lane.skipped.empty()) makeSimulation(lane);
     }
 }
 
-void Contest::makeSolver(Lane& lane) {
+void Contest::makeSimulation(Lane& lane) {
     const sim::SolverInfo& info = *lane.entrant.solver;
     const std::size_t before = info.gpu ? gl::allocatedBytes() : heapBytesInUse().value_or(0);
     try {
-        lane.solver = sunder::sim::makeSolver(info, world_, buffers_ ? &*buffers_ : nullptr,
-                                              lane.entrant.threads);
+        lane.simulation = std::make_unique<sim::Simulation>(layout_, info, lane.entrant.threads);
     } catch (const InputError& error) {
         lane.skipped = error.what();
         return;
     }
-    const double tetrahedra = kTetrahedraPerCell * double(world_.presentCells());
+    const double tetrahedra = kTetrahedraPerCell * double(world().presentCells());
     if (info.gpu)
         lane.bytes = static_cast<double>(gl::allocatedBytes() - before + worldBytes_) / tetrahedra;
     else if (const auto after = heapBytesInUse(); after && *after > before)
@@ -97,14 +95,14 @@ void Contest::makeSolver(Lane& lane) {
 }
 
 const State& Contest::start() {
-    if (!start_) start_ = startOf(scene_, world_);
+    if (!start_) start_ = startOf(scene_, world());
     return *start_;
 }
 
 int Contest::leadSteps(const State& start) const {
     double firstEnd = static_cast<double>(start.step);
-    if (!world_.events().empty())
-        firstEnd = std::min_element(world_.events().begin(), world_.events().end(),
+    if (!world().events().empty())
+        firstEnd = std::min_element(world().events().begin(), world().events().end(),
                                     [](const Event& a, const Event& b) { return a.end < b.end; })
                        ->end;
     const double steps = std::ceil(firstEnd - static_cast<double>(start.step));
@@ -112,35 +110,33 @@ int Contest::leadSteps(const State& start) const {
 }
 
 void Contest::prepare(Lane& lane, const State& start) const {
-    lane.solver->setState(start);
+    lane.simulation->setState(start);
     if (lane.entrant.solver->gpu && !software_) {
         // A GPU that idled while a CPU solver ran has lowered its clocks: a quarter of the speed.
         const Stopwatch watch;
         while (watch.seconds() < kGpuWarmUp) timedRun(lane, scene_.substeps);
-        lane.solver->setState(start);
+        lane.simulation->setState(start);
     }
     settle(lane, start);
     const int lead = leadSteps(start);
-    if (lead > 0 && lead * lane.stepSeconds < limits_.secondsPerRun) lane.solver->advance(lead);
-    lane.solver->finish();
+    if (lead > 0 && lead * lane.stepSeconds < limits_.secondsPerRun) lane.simulation->advance(lead);
+    lane.simulation->finish();
 }
 
 void Contest::settle(Lane& lane, const State& start) const {
-    const auto* shared = dynamic_cast<const balance::BalancedSolver*>(lane.solver.get());
-    if (!shared) return;
     const Stopwatch watch;
     // Again and again from the start: what comes to rest and sleeps is no load.
-    while (!shared->settled() && watch.seconds() < limits_.secondsPerCell) {
+    while (!lane.simulation->solver().settled() && watch.seconds() < limits_.secondsPerCell) {
         timedRun(lane, scene_.substeps);
-        lane.solver->setState(start);
+        lane.simulation->setState(start);
     }
 }
 
 double Contest::timedRun(Lane& lane, int steps) const {
     const Stopwatch watch;
     for (int left = steps; left > 0; left -= scene_.substeps)
-        lane.solver->advance(std::min(left, scene_.substeps));
-    lane.solver->finish();
+        lane.simulation->advance(std::min(left, scene_.substeps));
+    lane.simulation->finish();
     return watch.seconds();
 }
 
@@ -152,8 +148,8 @@ void Contest::probe(Lane& lane, const State& start) {
                        shortNumber(steps * lane.stepSeconds) + " s";
         return true;
     };
-    lane.solver->setState(start);
-    lane.solver->finish();
+    lane.simulation->setState(start);
+    lane.simulation->finish();
     // Drivers compile shaders at their first use: step 0 tests fracture, step 1 does not, and the
     // steps after an event may take others still.
     for (int i = 0; i < 2; ++i) timedRun(lane, 1);
@@ -200,35 +196,33 @@ std::vector<BenchResult> Contest::measure(const std::string& part, const State& 
         result.label = lane.entrant.label();
         result.solver = lane.entrant.solver->name;
         result.threads = lane.entrant.threads;
-        result.bodies = static_cast<int>(world_.bodies().size());
-        result.tetrahedra = kTetrahedraPerCell * world_.presentCells();
+        result.bodies = static_cast<int>(world().bodies().size());
+        result.tetrahedra = kTetrahedraPerCell * world().presentCells();
         result.stepsPerFrame = scene_.substeps;
-        for (const ElementLaw& law : world_.laws()) result.stiffnessLimited |= law.limited;
+        for (const ElementLaw& law : world().laws()) result.stiffnessLimited |= law.limited;
         result.msPerStep = median(samples[i]);
         result.runs = static_cast<int>(samples[i].size());
         result.stepsPerRun = result.runs ? stepsPerRun(lane) : 0;
         result.bytesPerTetrahedron = lane.bytes;
-        result.bondsBroken = brokenShare(world_, start);
+        result.bondsBroken = brokenShare(world(), start);
         result.skipped = lane.skipped;
     }
     return results;
 }
 
 void Contest::measureDrawn(std::vector<BenchResult>& results) {
-    if (!buffers_) return;
+    if (!layout_->buffers()) return;
     const State& start = this->start();
     const render::RenderSettings settings{.width = 1280, .height = 720};
-    render::Renderer renderer(world_, *buffers_);
-    std::vector<std::unique_ptr<sim::SolverView>> views(lanes_.size());
+    render::Renderer renderer(world(), *layout_->buffers());
     std::vector<std::vector<double>> samples(lanes_.size());
     std::vector<double> frameSeconds(lanes_.size());
     const auto frame = [&](std::size_t i) {
-        lanes_[i].solver->advance(scene_.substeps);
-        renderer.draw(views[i]->view(), scene_.camera, settings);
+        lanes_[i].simulation->advance(scene_.substeps);
+        renderer.draw(lanes_[i].simulation->view(), scene_.camera, settings);
     };
     for (std::size_t i = 0; i < lanes_.size(); ++i) {
         if (!lanes_[i].skipped.empty()) continue;
-        views[i] = std::make_unique<sim::SolverView>(world_, *lanes_[i].solver);
         if (scene_.substeps * lanes_[i].stepSeconds > limits_.secondsPerCell) continue;
         prepare(lanes_[i], start);
         frame(i);
@@ -254,12 +248,12 @@ void Contest::measureDrawn(std::vector<BenchResult>& results) {
 }
 
 int Contest::breakingFrames(Lane& lane, const State& start) const {
-    lane.solver->setState(start);
+    lane.simulation->setState(start);
     int last = 0;
-    double before = brokenShare(world_, start);
+    double before = brokenShare(world(), start);
     for (int frame = 1; frame <= limits_.framesPerRun; ++frame) {
-        lane.solver->advance(scene_.substeps);
-        const double now = brokenShare(world_, lane.solver->state());
+        lane.simulation->advance(scene_.substeps);
+        const double now = brokenShare(world(), lane.simulation->state());
         if (now > before) last = frame;
         before = now;
     }
@@ -281,8 +275,8 @@ void Contest::measureBreaking(std::vector<BenchResult>& results) {
         for (std::size_t i = 0; i < lanes_.size(); ++i) {
             if (samples[i].empty()) continue;
             prepare(lanes_[i], start);
-            lanes_[i].solver->setState(start);
-            lanes_[i].solver->finish();
+            lanes_[i].simulation->setState(start);
+            lanes_[i].simulation->finish();
             for (std::vector<double>& frame : samples[i])
                 frame.push_back(1000 * timedRun(lanes_[i], scene_.substeps));
         }
@@ -300,17 +294,16 @@ std::vector<PassResult> Contest::measurePasses() {
     std::vector<PassResult> results;
     const State& start = this->start();
     for (Lane& lane : lanes_) {
-        auto* solver = dynamic_cast<gpu::GpuSolver*>(lane.solver.get());
-        if (!solver || !lane.skipped.empty()) continue;
+        if (!lane.entrant.solver->gpu || !lane.skipped.empty()) continue;
         prepare(lane, start);
         gpu::PassTimer timer(software_);
         const int steps = std::min(stepsPerRun(lane), scene_.substeps);
-        solver->setPassTimer(&timer);
+        lane.simulation->timePasses(&timer);
         timedRun(lane, steps);
-        solver->setPassTimer(nullptr);
+        lane.simulation->timePasses(nullptr);
         for (const gpu::PassTimer::Times& times : timer.take())
             results.push_back({scene_.name, lane.entrant.solver->name, times.pass,
-                               kTetrahedraPerCell * world_.presentCells(),
+                               kTetrahedraPerCell * world().presentCells(),
                                median(times.milliseconds),
                                double(times.milliseconds.size()) * scene_.substeps / steps});
     }
@@ -325,9 +318,9 @@ State Contest::stateAfter(int frames) {
     if (!fastest) return start();
     const int steps = static_cast<int>(
         std::min(double(frames) * scene_.substeps, limits_.secondsPerCell / fastest->stepSeconds));
-    fastest->solver->setState(start());
+    fastest->simulation->setState(start());
     timedRun(*fastest, std::max(steps, scene_.substeps));
-    return fastest->solver->state();
+    return fastest->simulation->state();
 }
 
 }  // namespace sunder::app

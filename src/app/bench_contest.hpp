@@ -6,6 +6,7 @@
 #include "gl/context.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene.hpp"
+#include "sim/simulation.hpp"
 
 namespace sunder::app {
 
@@ -34,7 +35,7 @@ class Contest {
     Contest(const Contest&) = delete;
     Contest& operator=(const Contest&) = delete;
 
-    const core::World& world() const { return world_; }
+    const core::World& world() const { return layout_->world(); }
     /// How the world begins (app/start.hpp).
     const core::State& start();
 
@@ -55,12 +56,12 @@ class Contest {
   private:
     struct Lane {
         Entrant entrant;
-        std::unique_ptr<core::Solver> solver;
+        std::unique_ptr<sim::Simulation> simulation;
         std::optional<double> bytes;
         std::string skipped;
         double stepSeconds = 0;  ///< estimate
     };
-    void makeSolver(Lane&);
+    void makeSimulation(Lane&);
     /// Estimates stepSeconds. Sets `skipped` where the fewest steps would take too long.
     void probe(Lane&, const core::State& start);
     int stepsPerRun(const Lane&) const;
@@ -73,11 +74,10 @@ class Contest {
     int breakingFrames(Lane&, const core::State& start) const;
 
     scene::Scene scene_;
-    core::World world_;
+    std::shared_ptr<sim::Layout> layout_;
     std::optional<core::State> start_;  ///< once asked for
     BenchLimits limits_;
-    bool software_;  ///< the driver computes on the CPU
-    std::optional<gpu::WorldBuffers> buffers_;
+    bool software_;               ///< the driver computes on the CPU
     std::size_t worldBytes_ = 0;  ///< on the GPU
     std::vector<Lane> lanes_;
 };

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/incident.hpp"
+#include "sim/simulation.hpp"
 
 namespace sunder::app {
 
@@ -10,11 +11,11 @@ namespace sunder::app {
 struct IncidentTally {
     static constexpr std::size_t kStrongest = 10;
     std::int64_t contacts = 0, breaks = 0, dropped = 0;
-    std::size_t capacity = 0;               ///< of the ring they came through
+    std::size_t capacity = 0;               ///< how many the simulation had room for
     std::vector<core::Incident> strongest;  ///< at most kStrongest, by impulse
 
-    /// Takes what has come into the ring.
-    void take(core::IncidentRing& ring);
+    /// Takes what the simulation has found.
+    void take(sim::Simulation&);
 };
 
 }  // namespace sunder::app

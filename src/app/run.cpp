@@ -13,7 +13,6 @@
 #include "app/run_options.hpp"
 #include "app/run_report.hpp"
 #include "app/start.hpp"
-#include "balance/balanced_solver.hpp"
 #include "core/loss_notes.hpp"
 #include "files/held_signals.hpp"
 #include "files/utf8_path.hpp"
@@ -24,7 +23,7 @@
 #include "scene/limit_warnings.hpp"
 #include "scene/scene.hpp"
 #include "scene/vtu.hpp"
-#include "sim/solver_factory.hpp"
+#include "sim/simulation.hpp"
 
 namespace sunder::app {
 
@@ -48,16 +47,14 @@ constexpr std::size_t kIncidentRoom = 65536;
 /// Draws a solver's state.
 class FramePainter {
   public:
-    FramePainter(const scene::Scene& scene, const World& world, gl::Context& context,
-                 Solver& solver, const gpu::WorldBuffers& buffers,
+    FramePainter(const scene::Scene& scene, sim::Simulation& simulation, gl::Context& context,
                  const render::RenderSettings& settings, render::WallColour colour)
         : camera_(scene.camera),
           context_(context),
-          solver_(solver),
-          renderer_(world, buffers),
-          view_(world, solver),
+          simulation_(simulation),
+          renderer_(simulation.world(), *simulation.layout().buffers()),
           colour_(colour),
-          colours_(world),
+          colours_(simulation.world()),
           settings_(settings) {
         settings_.colours = &colours_;
         if (settings.mesh == render::DrawnMesh::Display && renderer_.displayMesh().simplified())
@@ -67,8 +64,8 @@ class FramePainter {
     }
 
     Frame draw(int number, double time) {
-        if (colour_ != render::WallColour::Material) colours_.update(solver_.state(), colour_);
-        image::Image plain = renderer_.draw(view_.view(), camera_, settings_);
+        if (colour_ != render::WallColour::Material) colours_.update(simulation_.state(), colour_);
+        image::Image plain = renderer_.draw(simulation_.view(), camera_, settings_);
         context_.check();  // before anything is made of a picture that failed
         image::Image withLegend = plain;
         render::drawLegend(withLegend, colours_.key());
@@ -78,9 +75,8 @@ class FramePainter {
   private:
     scene::CameraDescription camera_;
     gl::Context& context_;
-    Solver& solver_;
+    sim::Simulation& simulation_;
     render::Renderer renderer_;
-    sim::SolverView view_;
     render::WallColour colour_;
     render::CellColours colours_;
     render::RenderSettings settings_;
@@ -98,21 +94,21 @@ void deliver(int number, double fps, FramePainter& painter,
 }
 
 /// Frame after frame to the last, or until a signal.
-void play(const RunOptions& options, const std::string& name, Solver& solver,
-          IncidentRing& incidents, FramePainter* painter,
-          const std::vector<std::unique_ptr<FrameSink>>& sinks, RunFacts& facts) {
+void play(const RunOptions& options, const std::string& name, sim::Simulation& simulation,
+          FramePainter* painter, const std::vector<std::unique_ptr<FrameSink>>& sinks,
+          RunFacts& facts) {
     Progress progress(name, facts.frames);
     for (int frame = 0; frame <= facts.frames && !files::notedSignal(); ++frame) {
         progress.update(frame);
         if (painter) deliver(frame, options.fps, *painter, sinks);
         if (frame == facts.frames) break;
         const auto start = std::chrono::steady_clock::now();
-        solver.advance(facts.stepsPerFrame);
-        solver.finish();
+        simulation.advance(facts.stepsPerFrame);
+        simulation.finish();
         const std::chrono::duration<double, std::milli> elapsed =
             std::chrono::steady_clock::now() - start;
         facts.msPerStep.push_back(elapsed.count() / facts.stepsPerFrame);
-        facts.incidents.take(incidents);
+        facts.incidents.take(simulation);
     }
 }
 
@@ -153,35 +149,31 @@ int run(RunOptions options) {
     facts.frames = options.frames.value_or(
         std::max(1, static_cast<int>(std::lround(scene.frames * options.fps / 60))));
     facts.stepsPerFrame = fitStepsToFrame(scene, options.fps);
-    const World world(scene.world);
+    const auto layout = std::make_shared<sim::Layout>(scene.world);
+    const World& world = layout->world();
 
     // Everything that can be refused is refused before the first file is made.
     const auto sinks = makeFrameSinks(options, scene.world, settings, facts.frames);
     std::unique_ptr<gl::Context> context;
-    std::optional<gpu::WorldBuffers> buffers;
     if (!sinks.empty() || solverInfo.gpu) {
         context = gl::createHeadlessContext();
         facts.renderer = context->info().renderer;
-        buffers.emplace(world);
+        layout->upload();
     }
-    IncidentRing incidents(kIncidentRoom);
-    const std::unique_ptr<Solver> solver =
-        sim::makeSolver(solverInfo, world, buffers ? &*buffers : nullptr);
-    solver->setIncidents(&incidents);
+    sim::Simulation simulation(layout, solverInfo, 0, kIncidentRoom);
     std::optional<FramePainter> painter;
-    if (!sinks.empty())
-        painter.emplace(scene, world, *context, *solver, *buffers, settings, wallColour(options));
+    if (!sinks.empty()) painter.emplace(scene, simulation, *context, settings, wallColour(options));
     if (context) context->check();
     for (const std::string& warning : scene::limitWarnings(scene, world))
         std::cerr << "sunder: note: " << warning << '\n';
     // Before signals are held: what interrupts it finds nothing to be finished.
-    solver->setState(startOf(scene, world));
+    simulation.setState(startOf(scene, world));
 
     std::optional<files::HeldSignals> held(std::in_place);
     const OutputFolder folder(options.out);
     std::string problem;
     try {
-        play(options, scene.name, *solver, incidents, painter ? &*painter : nullptr, sinks, facts);
+        play(options, scene.name, simulation, painter ? &*painter : nullptr, sinks, facts);
         for (const auto& sink : sinks) sink->finish();
     } catch (const InputError& error) {
         // What ends this program may have ended ffmpeg as well.
@@ -193,13 +185,13 @@ int run(RunOptions options) {
         held->answer();
         return files::exitCodeOf(signal);
     }
-    if (const auto* shared = dynamic_cast<const balance::BalancedSolver*>(solver.get()))
-        facts.bodiesOnGpu = shared->bodiesOnGpu();
-    for (const std::string& note : lossNotes(world, *solver))
+    const Solver& solver = simulation.solver();
+    facts.bodiesOnGpu = solver.bodiesOnGpu();
+    for (const std::string& note : lossNotes(world, solver))
         std::cerr << "sunder: note: " << note << '\n';
-    facts.losses.contacts = solver->droppedContacts();
-    facts.losses.haste = solver->contactHaste();
-    const State state = solver->state();
+    facts.losses.contacts = solver.droppedContacts();
+    facts.losses.haste = solver.contactHaste();
+    const State& state = simulation.state();
     facts.losses.sunk = sunkThings(world, state);
     if (const std::string note = sunkNote(facts.losses.sunk); !note.empty())
         std::cerr << "sunder: note: " << note << '\n';

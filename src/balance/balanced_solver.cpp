@@ -68,7 +68,7 @@ bool BalancedSolver::wantedOnGpu(int body) const {
     return balancer_.onGpu(world_.description().contact ? 0 : body);
 }
 
-int BalancedSolver::bodiesOnGpu() const {
+std::optional<int> BalancedSolver::bodiesOnGpu() const {
     int count = 0;
     for (int body = 0; body < static_cast<int>(world_.bodies().size()); ++body)
         count += onGpu(body);

@@ -50,9 +50,8 @@ class BalancedSolver : public gpu::GpuSolver {
     bool setPassObserver(core::PassObserver*) override { return false; }
 
     bool onGpu(int body) const { return gather_.holds(body); }
-    int bodiesOnGpu() const;
-    /// Whether it knows where bodies are best off, for the load as it is.
-    bool settled() const { return balancer_.settled(); }
+    std::optional<int> bodiesOnGpu() const override;
+    bool settled() const override { return balancer_.settled(); }
 
   private:
     void moveBodies();

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -39,6 +40,10 @@ class Solver {
     /// Puts an object somewhere at once, as a throw does at its time: the same bits follow. It
     /// wakes, and what it may hit.
     virtual void putObject(int object, const ObjectState& state) = 0;
+    /// How many bodies a GPU has at the moment, where a solver shares them out; else nothing.
+    virtual std::optional<int> bodiesOnGpu() const { return std::nullopt; }
+    /// Whether a solver that measures where bodies are best off knows it, for the load as it is.
+    virtual bool settled() const { return true; }
     /// Whether a body or an object is at rest and costs nothing (core/sleep.hpp); solvers may never
     /// let one.
     virtual bool asleep([[maybe_unused]] int body) const { return false; }

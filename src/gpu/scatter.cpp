@@ -192,6 +192,10 @@ void ScatterSolver::push(const Event& event) {
     events_.schedule().add(event, step_);
 }
 
+void ScatterSolver::putObject(int object, const ObjectState& state) {
+    objects_->put(object, state, step_);
+}
+
 void ScatterSolver::advance(int steps) {
     events_.write(step_, steps);
     bindWorld(buffers_);
@@ -275,7 +279,7 @@ void ScatterSolver::addContacts() {
 void ScatterSolver::addObjects() {
     const TimedPass timed(passTimer_, "objects");
     for (const Throw& thrown : world_.throws())
-        if (thrown.step == step_) objects_->put(thrown.object, thrown.state, step_);
+        if (thrown.step == step_) putObject(thrown.object, thrown.state);
     objects_->push(step_);
     glBindFramebuffer(GL_FRAMEBUFFER, elementTarget_.id());
     glViewport(0, 0, width_, height_);

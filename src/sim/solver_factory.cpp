@@ -1,5 +1,8 @@
 #include "sim/solver_factory.hpp"
 
+#include <cassert>
+#include <utility>
+
 #include "balance/balanced_solver.hpp"
 #include "cpu/cpu_solver.hpp"
 #include "cpu/reference.hpp"
@@ -36,24 +39,27 @@ const SolverInfo& findSolver(std::string_view name, std::string_view option) {
                      "'; known: " + names);
 }
 
-std::unique_ptr<Solver> makeSolver(const SolverInfo& info, const World& world,
-                                   const gpu::WorldBuffers* buffers, int threads) {
-    if (info.name == "gather") return std::make_unique<gpu::GatherSolver>(world, *buffers);
-    if (info.name == "scatter") return std::make_unique<gpu::ScatterSolver>(world, *buffers);
+namespace {
+
+template <class Made>
+MadeSolver onGpu(std::unique_ptr<Made> solver) {
+    gpu::GpuSolver* const same = solver.get();
+    return {std::move(solver), same};
+}
+
+}  // namespace
+
+MadeSolver makeSolver(const SolverInfo& info, const Layout& layout, int threads) {
+    const World& world = layout.world();
+    assert(!info.gpu || layout.buffers());
+    if (info.name == "gather")
+        return onGpu(std::make_unique<gpu::GatherSolver>(world, *layout.buffers()));
+    if (info.name == "scatter")
+        return onGpu(std::make_unique<gpu::ScatterSolver>(world, *layout.buffers()));
     if (info.name == "auto")
-        return std::make_unique<balance::BalancedSolver>(world, *buffers, threads);
-    if (info.name == "cpu") return std::make_unique<cpu::CpuSolver>(world, threads);
-    return std::make_unique<cpu::ReferenceSolver>(world);
-}
-
-SolverView::SolverView(const World& world, Solver& solver) : solver_(solver) {
-    if (!dynamic_cast<const gpu::GpuSolver*>(&solver))
-        upload_ = std::make_unique<gpu::StateUpload>(world);
-}
-
-gpu::StateView SolverView::view() {
-    if (upload_) return upload_->upload(solver_.state());
-    return dynamic_cast<gpu::GpuSolver&>(solver_).view();
+        return onGpu(std::make_unique<balance::BalancedSolver>(world, *layout.buffers(), threads));
+    if (info.name == "cpu") return {std::make_unique<cpu::CpuSolver>(world, threads)};
+    return {std::make_unique<cpu::ReferenceSolver>(world)};
 }
 
 }  // namespace sunder::sim

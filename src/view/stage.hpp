@@ -3,7 +3,7 @@
 
 #include "render/renderer.hpp"
 #include "view/picker.hpp"
-#include "view/simulation.hpp"
+#include "view/played_scene.hpp"
 
 namespace sunder::view {
 
@@ -35,7 +35,7 @@ class Stage {
         renderer.render(simulation.view(), simulation.scene().camera, small);
     }
 
-    Simulation simulation;
+    PlayedScene simulation;
     render::Renderer renderer;
     render::CellColours colours;
 

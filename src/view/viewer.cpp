@@ -165,7 +165,7 @@ class Viewer {
 
     /// Returns how long it took, s.
     double simulate(double elapsed) {
-        Simulation& simulation = session_.stage->simulation;
+        PlayedScene& simulation = session_.stage->simulation;
         const int steps = session_.clock.tick(elapsed);
         controls_.holdHits(session_, steps * simulation.world().step());
         const std::vector<Push> pushes = session_.takePushes();
@@ -183,7 +183,7 @@ class Viewer {
     /// What is found out now and then, or only for who looks.
     void observe() {
         Measurements& measurements = session_.measurements;
-        Simulation& simulation = session_.stage->simulation;
+        PlayedScene& simulation = session_.stage->simulation;
         for (const Incident& incident : simulation.takeIncidents())
             ++(incident.kind == Incident::Kind::Break ? measurements.breaks
                                                       : measurements.contacts);

@@ -48,7 +48,8 @@ std::vector<EventDescription> fragileEvents(double step) {
     blast.vector = {0, 2, 0};
     blast.outward = 12;
     blast.falloff = true;
-    // In order of body, as they add up where they act at once: blasts, the first wall's, the other's.
+    // In order of body, as they add up where they act at once: blasts, the first wall's, the
+    // other's.
     return {blast, patch, force, impulse};
 }
 

@@ -125,67 +125,6 @@ TEST_CASE("A ray finds the object in front of the wall", "[view]") {
     REQUIRE(behind);
     CHECK(behind->object == -1);
     CHECK(behind->cell >= 0);
-
-    // Pushed, it moves; the wall does not.
-    state.objects[0].present = true;
-    std::set<int> bodies;
-    apply({state.objects[0].position, Vec3(0, 0, -3), 0.5, 0}, world, state, bodies);
-    CHECK(bodies.empty());
-    CHECK(state.objects[0].velocity == Vec3(0, 0, -3));
-    CHECK(state.velocity[0] == Vec3(0, 0, 0));
-}
-
-TEST_CASE("A push moves what is near the spot, less towards the rim, and tears nothing by itself",
-          "[view]") {
-    State state = wall().initialState();
-    const Push push{Vec3(0.2, 1.1, 0.05), Vec3(0, 0, -40), 0.3, -1};
-    std::set<int> bodies;
-    apply(push, wall(), state, bodies);
-    CHECK(bodies == std::set<int>{0});
-    double fastest = 0;
-    int pushed = 0;
-    for (int node = 0; node < wall().nodeCount(); ++node) {
-        const double away = (wall().restPosition(node) - push.place).norm();
-        const double speed = state.velocity[node].norm();
-        fastest = std::max(fastest, speed);
-        CHECK((speed > 0) == (away < push.radius));
-        pushed += speed > 0;
-    }
-    CHECK(pushed > 100);
-    CHECK(fastest > 35);
-    CHECK(fastest <= 40);
-    // Joined copies of a node keep to one another: nothing has come apart without a crack.
-    cpu::CpuSolver solver(wall(), 1);
-    solver.setState(state);
-    solver.advance(1);
-    const State after = solver.state();
-    for (int cell = 0; cell < wall().cellCount(); ++cell)
-        if (const int right = wall().neighbour(cell, 0, 1);
-            right >= 0 && after.damage[kBondsPerCell * cell] < 1)
-            CHECK(after.displacement[kCorners * cell + 1] == after.displacement[kCorners * right]);
-}
-
-TEST_CASE("A push tells which bodies it moves, no others", "[view]") {
-    const World world(scene::loadScene("stress").world);
-    State state = world.initialState();
-    const Body& body = world.bodies()[17];
-    std::set<int> bodies;
-    apply({body.origin + Vec3(2.7, 1.6, 0), Vec3(0, 0, -10), 0.6, -1}, world, state, bodies);
-    CHECK(bodies == std::set<int>{17});
-    for (int cell = 0; cell < world.cellCount(); ++cell)
-        if (world.bodyOf(cell) != 17) REQUIRE(state.velocity[kCorners * cell].isZero(0));
-}
-
-TEST_CASE("Anchored nodes are not pushed", "[view]") {
-    State state = wall().initialState();
-    std::set<int> bodies;
-    apply({Vec3(0, 0, 0), Vec3(0, 0, -40), 0.4, -1}, wall(), state, bodies);
-    int moving = 0;
-    for (int node = 0; node < wall().nodeCount(); ++node) {
-        if (wall().anchored(node)) CHECK(state.velocity[node] == Vec3(0, 0, 0));
-        moving += state.velocity[node] != Vec3(0, 0, 0);
-    }
-    CHECK(moving > 0);
 }
 
 TEST_CASE("Settings are remembered", "[view]") {

@@ -1,0 +1,82 @@
+#include "sim/simulation.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace sunder::sim {
+
+using namespace core;
+
+Simulation::Simulation(std::shared_ptr<const Layout> layout, const SolverInfo& info, int threads,
+                       std::size_t incidents)
+    : layout_(std::move(layout)),
+      findsIncidents_(incidents > 0),
+      incidents_(std::max<std::size_t>(incidents, 1)) {
+    adopt(makeSolver(info, *layout_, threads), info);
+}
+
+void Simulation::adopt(MadeSolver made, const SolverInfo& info) {
+    if (findsIncidents_) made.solver->setIncidents(&incidents_);
+    made_ = std::move(made);
+    info_ = &info;
+    state_.reset();
+}
+
+void Simulation::setSolver(const SolverInfo& info, int threads) {
+    MadeSolver next = makeSolver(info, *layout_, threads);
+    next.solver->setState(state());
+    adopt(std::move(next), info);
+}
+
+const cpu::Start& Simulation::start(const cpu::SettleProgress& progress) {
+    if (!start_) start_ = cpu::settledStart(world(), progress);
+    return *start_;
+}
+
+void Simulation::restart() {
+    setState(start().state);
+}
+
+void Simulation::setState(const State& state) {
+    made_.solver->setState(state);
+    step_ = state.step;
+    state_.reset();
+}
+
+const State& Simulation::state() {
+    if (!state_) state_ = made_.solver->state();
+    return *state_;
+}
+
+void Simulation::push(EventDescription event) {
+    event.time = time();
+    made_.solver->push(world().makeEvent(event));
+    state_.reset();
+}
+
+void Simulation::putObject(int object, const ObjectState& state) {
+    made_.solver->putObject(object, state);
+    state_.reset();
+}
+
+void Simulation::advance(int steps) {
+    if (steps < 1) return;
+    made_.solver->advance(steps);
+    step_ += steps;
+    state_.reset();
+}
+
+gpu::StateView Simulation::view() {
+    assert(layout_->buffers());
+    if (made_.onGpu) return made_.onGpu->view();
+    if (!upload_) upload_ = std::make_unique<gpu::StateUpload>(world());
+    return upload_->upload(state());
+}
+
+bool Simulation::timePasses(gpu::PassTimer* timer) {
+    if (made_.onGpu) made_.onGpu->setPassTimer(timer);
+    return made_.onGpu;
+}
+
+}  // namespace sunder::sim

@@ -1,0 +1,80 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/incident.hpp"
+#include "cpu/settle.hpp"
+#include "sim/layout.hpp"
+#include "sim/solver_factory.hpp"
+
+namespace sunder::sim {
+
+/// A world on its way through time: what `sunder run`, `bench` and `view` simulate with. Begins at
+/// rest under its own weight (cpu/settle.hpp) once restart() was called, and as described until
+/// then.
+class Simulation {
+  public:
+    /// threads: of a threaded solver, 0 for one per core. `incidents`: how many are kept until they
+    /// are taken; 0: none are looked for. Throws InputError where the device has no room for the
+    /// solver.
+    Simulation(std::shared_ptr<const Layout>, const SolverInfo&, int threads = 0,
+               std::size_t incidents = 0);
+
+    const core::World& world() const { return layout_->world(); }
+    const Layout& layout() const { return *layout_; }
+    const core::Solver& solver() const { return *made_.solver; }
+    const SolverInfo& solverInfo() const { return *info_; }
+    /// Goes on with another solver from the same state. Throws InputError, and then nothing has
+    /// changed.
+    void setSolver(const SolverInfo&, int threads = 0);
+
+    /// How the world begins, found when it is first asked for. That may take seconds.
+    const cpu::Start& start(const cpu::SettleProgress& progress = {});
+    /// Back to start().
+    void restart();
+    /// Goes on from a state of this world, or of one with the same cells.
+    void setState(const core::State&);
+    /// The last state, fetched at most once until it changes. Waits for a GPU.
+    const core::State& state();
+
+    std::int64_t step() const { return step_; }
+    double time() const { return static_cast<double>(step_) * world().step(); }  ///< s
+
+    /// Begins with the next step, whatever `time` it has. Nothing is read back. Throws InputError
+    /// where it could push nothing.
+    void push(core::EventDescription);
+    /// Puts an object somewhere at once.
+    void putObject(int object, const core::ObjectState&);
+
+    /// Whole substeps. May return before a GPU is done.
+    void advance(int steps);
+    /// Waits for it.
+    void finish() { made_.solver->finish(); }
+    /// What was found since the last time, oldest first. GPU solvers find things two looks late,
+    /// all of them in finish().
+    std::vector<core::Incident> takeIncidents() { return incidents_.take(); }
+    /// What was overwritten before it was taken, or found no room on a GPU.
+    std::int64_t droppedIncidents() const { return incidents_.dropped(); }
+    std::size_t incidentRoom() const { return incidents_.capacity(); }
+
+    /// What a picture of the present state is drawn from; until it changes. Needs Layout::upload().
+    gpu::StateView view();
+    /// Where the passes of a GPU solver are timed from now on; null: nowhere. Whether it is one.
+    bool timePasses(gpu::PassTimer*);
+
+  private:
+    void adopt(MadeSolver, const SolverInfo&);
+
+    std::shared_ptr<const Layout> layout_;
+    bool findsIncidents_;
+    core::IncidentRing incidents_;
+    const SolverInfo* info_ = nullptr;
+    MadeSolver made_;
+    std::unique_ptr<gpu::StateUpload> upload_;  ///< of a solver on the CPU, once drawn
+    std::int64_t step_ = 0;
+    std::optional<core::State> state_;
+    std::optional<cpu::Start> start_;
+};
+
+}  // namespace sunder::sim
