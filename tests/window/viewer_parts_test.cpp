@@ -2,16 +2,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <set>
 
 #include "catch.hpp"
-#include "cpu/cpu_solver.hpp"
 #include "scene/scene.hpp"
 #include "support/test_folder.hpp"
 #include "view/picker.hpp"
 #include "view/settings.hpp"
 #include "view/shader_folder.hpp"
-#include "view/simulation.hpp"
 
 using namespace sunder;
 using namespace sunder::core;
