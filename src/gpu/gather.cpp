@@ -466,10 +466,23 @@ void GatherSolver::wakePushed() {
                 body < bodies_.size() && blast.reaches(chunk.box.low, chunk.box.high))
                 pushed[body] = true;
     }
+    bool any = false;
+    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
+        if (!asleep(body) || !(pushed[body] || events.pushedWithin(body, step_, step_ + 1)))
+            continue;
+        wake(memberOfBody(body));
+        any = true;
+    }
+    if (any) bodiesChanged();
+    findNextWake(step_ + 1);
+}
+
+void GatherSolver::findNextWake(std::int64_t from) {
+    nextWake_ = std::numeric_limits<std::int64_t>::max();
+    const EventSchedule& events = events_.schedule();
     for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
-        if (asleep(body) && (pushed[body] || events.pushedWithin(body, step_, step_ + 1)))
-            wake(memberOfBody(body));
-    bodiesChanged();
+        if (asleep(body))
+            nextWake_ = std::min({nextWake_, events.nextPush(body, from), events.nextBlast(from)});
 }
 
 /// What sleeps where something that moves may come before the next look.
@@ -495,18 +508,15 @@ void GatherSolver::wakeThreatened() {
 
 void GatherSolver::bodiesChanged() {
     std::vector<int> awake, held;
-    nextWake_ = std::numeric_limits<std::int64_t>::max();
     for (int index = 0; index < static_cast<int>(bodies_.size()); ++index) {
         if (bodies_[index] == BodyState::Awake) awake.push_back(index);
         if (holds(index)) held.push_back(index);
-        if (bodies_[index] == BodyState::Asleep)
-            nextWake_ = std::min({nextWake_, events_.schedule().nextPush(index, step_),
-                                  events_.schedule().nextBlast(step_)});
     }
     awake_.set(rangesOf(world_, awake), columns_);
     if (contact_) contact_->setCells(rangesOf(world_, awake), rangesOf(world_, held));
     if (objects_) objects_->setCells(rangesOf(world_, held));
     held_ = !held.empty();
+    findNextWake(step_);
 }
 
 }  // namespace sunder::gpu

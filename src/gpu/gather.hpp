@@ -79,6 +79,7 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     void fallAsleep(const std::vector<int>& bodies);
     void startThrows();
     void wakePushed();
+    void findNextWake(std::int64_t from);
     void wakeThreatened();
     /// Wakes a body or an object and what sleeps with it (core/rest_islands.hpp).
     void wake(int member);
