@@ -16,6 +16,7 @@
 #include "app/path_option.hpp"
 #include "files/write_file.hpp"
 #include "gl/context.hpp"
+#include "sim_gl/solvers.hpp"
 
 namespace sunder::app {
 
@@ -49,9 +50,9 @@ BenchLimits limitsFor(const BenchOptions& options) {
 std::vector<Entrant> entrants(const BenchOptions& options, bool gl) {
     std::vector<const sim::SolverInfo*> chosen;
     for (const std::string& name : options.solvers)
-        chosen.push_back(&sim::findSolver(name, "--solvers"));
+        chosen.push_back(&sim_gl::findSolver(name, "--solvers"));
     if (chosen.empty())
-        for (const sim::SolverInfo& solver : sim::solvers())
+        for (const sim::SolverInfo& solver : sim_gl::solvers())
             if (gl || !solver.gpu) chosen.push_back(&solver);
     std::vector<int> threads = options.threads;
     if (threads.empty()) {
@@ -113,7 +114,7 @@ class Bench {
             report_.glVersion = context_->info().version;
         } catch (const ContextError& error) {
             for (const std::string& name : options_.solvers)
-                if (sim::findSolver(name, "--solvers").gpu) throw;
+                if (sim_gl::findSolver(name, "--solvers").gpu) throw;
             std::cerr << "sunder: note: CPU solvers only, and nothing is drawn: " << error.what()
                       << '\n';
         }
@@ -162,7 +163,7 @@ class Bench {
     /// What drawing costs beside simulating.
     void measurePictures(Contest& contest, const scene::Scene& scene) {
         if (!context_) return;
-        Contest gather(scene, {{&sim::findSolver("gather"), 1}}, limits_, context_.get());
+        Contest gather(scene, {{&sim_gl::findSolver("gather"), 1}}, limits_, context_.get());
         const auto measure = [&](const std::string& name, const State& state) {
             DrawingResult& result = report_.drawn.emplace_back(
                 measureDrawing(scene, contest.world(), state, name, limits_));

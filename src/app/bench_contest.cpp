@@ -8,6 +8,7 @@
 #include "app/machine.hpp"
 #include "app/progress.hpp"
 #include "app/start.hpp"
+#include "sim_gl/drawn_state.hpp"
 
 namespace sunder::app {
 
@@ -57,7 +58,7 @@ std::string Entrant::label() const {
 Contest::Contest(scene::Scene scene, const std::vector<Entrant>& entrants,
                  const BenchLimits& limits, const gl::Context* context)
     : scene_(std::move(scene)),
-      layout_(std::make_shared<sim::Layout>(scene_.world)),
+      layout_(std::make_shared<sim_gl::GlLayout>(scene_.world)),
       limits_(limits),
       software_(context && context->info().software) {
     std::string problem;
@@ -215,14 +216,16 @@ void Contest::measureDrawn(std::vector<BenchResult>& results) {
     const State& start = this->start();
     const render::RenderSettings settings{.width = 1280, .height = 720};
     render::Renderer renderer(world(), *layout_->buffers());
+    std::vector<std::unique_ptr<sim_gl::DrawnState>> drawn(lanes_.size());
     std::vector<std::vector<double>> samples(lanes_.size());
     std::vector<double> frameSeconds(lanes_.size());
     const auto frame = [&](std::size_t i) {
         lanes_[i].simulation->advance(scene_.substeps);
-        renderer.draw(lanes_[i].simulation->view(), scene_.camera, settings);
+        renderer.draw(drawn[i]->view(), scene_.camera, settings);
     };
     for (std::size_t i = 0; i < lanes_.size(); ++i) {
         if (!lanes_[i].skipped.empty()) continue;
+        drawn[i] = std::make_unique<sim_gl::DrawnState>(*lanes_[i].simulation);
         if (scene_.substeps * lanes_[i].stepSeconds > limits_.secondsPerCell) continue;
         prepare(lanes_[i], start);
         frame(i);
@@ -294,13 +297,13 @@ std::vector<PassResult> Contest::measurePasses() {
     std::vector<PassResult> results;
     const State& start = this->start();
     for (Lane& lane : lanes_) {
-        if (!lane.entrant.solver->gpu || !lane.skipped.empty()) continue;
+        if (!lane.skipped.empty() || !lane.simulation->gpuSolver()) continue;
         prepare(lane, start);
         gpu::PassTimer timer(software_);
         const int steps = std::min(stepsPerRun(lane), scene_.substeps);
-        lane.simulation->timePasses(&timer);
+        lane.simulation->gpuSolver()->setPassTimer(&timer);
         timedRun(lane, steps);
-        lane.simulation->timePasses(nullptr);
+        lane.simulation->gpuSolver()->setPassTimer(nullptr);
         for (const gpu::PassTimer::Times& times : timer.take())
             results.push_back({scene_.name, lane.entrant.solver->name, times.pass,
                                kTetrahedraPerCell * world().presentCells(),

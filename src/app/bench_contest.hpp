@@ -7,6 +7,7 @@
 #include "render/renderer.hpp"
 #include "scene/scene.hpp"
 #include "sim/simulation.hpp"
+#include "sim_gl/gl_layout.hpp"
 
 namespace sunder::app {
 
@@ -74,7 +75,7 @@ class Contest {
     int breakingFrames(Lane&, const core::State& start) const;
 
     scene::Scene scene_;
-    std::shared_ptr<sim::Layout> layout_;
+    std::shared_ptr<sim_gl::GlLayout> layout_;
     std::optional<core::State> start_;  ///< once asked for
     BenchLimits limits_;
     bool software_;               ///< the driver computes on the CPU

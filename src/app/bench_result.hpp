@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/solver_factory.hpp"
+#include "sim/solvers.hpp"
 
 namespace sunder::app {
 

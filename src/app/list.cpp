@@ -4,7 +4,7 @@
 
 #include "app/commands.hpp"
 #include "scene/scene.hpp"
-#include "sim/solver_factory.hpp"
+#include "sim_gl/solvers.hpp"
 
 namespace sunder::app {
 namespace {
@@ -19,7 +19,7 @@ void print(const char* heading, const Entries& entries) {
 int list() {
     print("Scenes", scene::scenePresets());
     print("Materials", scene::materialPresets());
-    print("Solvers", sim::solvers());
+    print("Solvers", sim_gl::solvers());
     return kDone;
 }
 

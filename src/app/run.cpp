@@ -24,6 +24,9 @@
 #include "scene/scene.hpp"
 #include "scene/vtu.hpp"
 #include "sim/simulation.hpp"
+#include "sim_gl/drawn_state.hpp"
+#include "sim_gl/gl_layout.hpp"
+#include "sim_gl/solvers.hpp"
 
 namespace sunder::app {
 
@@ -52,6 +55,7 @@ class FramePainter {
         : camera_(scene.camera),
           context_(context),
           simulation_(simulation),
+          drawn_(simulation),
           renderer_(simulation.world(), *simulation.layout().buffers()),
           colour_(colour),
           colours_(simulation.world()),
@@ -65,7 +69,7 @@ class FramePainter {
 
     Frame draw(int number, double time) {
         if (colour_ != render::WallColour::Material) colours_.update(simulation_.state(), colour_);
-        image::Image plain = renderer_.draw(simulation_.view(), camera_, settings_);
+        image::Image plain = renderer_.draw(drawn_.view(), camera_, settings_);
         context_.check();  // before anything is made of a picture that failed
         image::Image withLegend = plain;
         render::drawLegend(withLegend, colours_.key());
@@ -76,6 +80,7 @@ class FramePainter {
     scene::CameraDescription camera_;
     gl::Context& context_;
     sim::Simulation& simulation_;
+    sim_gl::DrawnState drawn_;
     render::Renderer renderer_;
     render::WallColour colour_;
     render::CellColours colours_;
@@ -141,7 +146,7 @@ int run(RunOptions options) {
     scene::Scene scene = scene::loadScene(options.scene);
     if (options.out.empty()) options.out = fs::path("out") / files::pathFromUtf8(scene.name);
     checkRunOptions(options);
-    const sim::SolverInfo& solverInfo = sim::findSolver(options.solver);
+    const sim::SolverInfo& solverInfo = sim_gl::findSolver(options.solver);
     const render::RenderSettings settings = renderSettings(options);
     if (options.seed) scene.world.seed = *options.seed;
     RunFacts facts;
@@ -149,7 +154,7 @@ int run(RunOptions options) {
     facts.frames = options.frames.value_or(
         std::max(1, static_cast<int>(std::lround(scene.frames * options.fps / 60))));
     facts.stepsPerFrame = fitStepsToFrame(scene, options.fps);
-    const auto layout = std::make_shared<sim::Layout>(scene.world);
+    const auto layout = std::make_shared<sim_gl::GlLayout>(scene.world);
     const World& world = layout->world();
 
     // Everything that can be refused is refused before the first file is made.

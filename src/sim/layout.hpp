@@ -1,7 +1,9 @@
 #pragma once
-#include <optional>
+#include "core/world.hpp"
 
-#include "gpu/world_buffers.hpp"
+namespace sunder::gpu {
+class WorldBuffers;
+}
 
 namespace sunder::sim {
 
@@ -10,18 +12,16 @@ class Layout {
   public:
     /// Throws InputError for a world that cannot be laid out.
     explicit Layout(core::WorldDescription);
-    /// Puts it on the GPU, too, for solvers there and for pictures. A GL context must be current,
-    /// and must be whenever any of them is used, until all of them and this are gone. Throws
-    /// InputError for a world that is too large for the device.
-    void upload();
+    virtual ~Layout() = default;
+    Layout(const Layout&) = delete;
+    Layout& operator=(const Layout&) = delete;
 
     const core::World& world() const { return world_; }
-    /// Null before upload().
-    const gpu::WorldBuffers* buffers() const { return buffers_ ? &*buffers_ : nullptr; }
+    /// The world on a GPU, for solvers there and for pictures; null where it is not (sim_gl).
+    virtual const gpu::WorldBuffers* buffers() const { return nullptr; }
 
   private:
     core::World world_;
-    std::optional<gpu::WorldBuffers> buffers_;
 };
 
 }  // namespace sunder::sim

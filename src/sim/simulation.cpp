@@ -1,7 +1,6 @@
 #include "sim/simulation.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 namespace sunder::sim {
@@ -13,7 +12,7 @@ Simulation::Simulation(std::shared_ptr<const Layout> layout, const SolverInfo& i
     : layout_(std::move(layout)),
       findsIncidents_(incidents > 0),
       incidents_(std::max<std::size_t>(incidents, 1)) {
-    adopt(makeSolver(info, *layout_, threads), info);
+    adopt(info.make(*layout_, threads), info);
 }
 
 void Simulation::adopt(MadeSolver made, const SolverInfo& info) {
@@ -24,7 +23,7 @@ void Simulation::adopt(MadeSolver made, const SolverInfo& info) {
 }
 
 void Simulation::setSolver(const SolverInfo& info, int threads) {
-    MadeSolver next = makeSolver(info, *layout_, threads);
+    MadeSolver next = info.make(*layout_, threads);
     next.solver->setState(state());
     adopt(std::move(next), info);
 }
@@ -65,18 +64,6 @@ void Simulation::advance(int steps) {
     made_.solver->advance(steps);
     step_ += steps;
     state_.reset();
-}
-
-gpu::StateView Simulation::view() {
-    assert(layout_->buffers());
-    if (made_.onGpu) return made_.onGpu->view();
-    if (!upload_) upload_ = std::make_unique<gpu::StateUpload>(world());
-    return upload_->upload(state());
-}
-
-bool Simulation::timePasses(gpu::PassTimer* timer) {
-    if (made_.onGpu) made_.onGpu->setPassTimer(timer);
-    return made_.onGpu;
 }
 
 }  // namespace sunder::sim

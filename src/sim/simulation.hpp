@@ -6,7 +6,7 @@
 #include "core/incident.hpp"
 #include "cpu/settle.hpp"
 #include "sim/layout.hpp"
-#include "sim/solver_factory.hpp"
+#include "sim/solvers.hpp"
 
 namespace sunder::sim {
 
@@ -58,10 +58,8 @@ class Simulation {
     std::int64_t droppedIncidents() const { return incidents_.dropped(); }
     std::size_t incidentRoom() const { return incidents_.capacity(); }
 
-    /// What a picture of the present state is drawn from; until it changes. Needs Layout::upload().
-    gpu::StateView view();
-    /// Where the passes of a GPU solver are timed from now on; null: nowhere. Whether it is one.
-    bool timePasses(gpu::PassTimer*);
+    /// The solver, if its state is on a GPU; else null.
+    gpu::GpuSolver* gpuSolver() { return made_.onGpu; }
 
   private:
     void adopt(MadeSolver, const SolverInfo&);
@@ -71,7 +69,6 @@ class Simulation {
     core::IncidentRing incidents_;
     const SolverInfo* info_ = nullptr;
     MadeSolver made_;
-    std::unique_ptr<gpu::StateUpload> upload_;  ///< of a solver on the CPU, once drawn
     std::int64_t step_ = 0;
     std::optional<core::State> state_;
     std::optional<cpu::Start> start_;

@@ -1,4 +1,5 @@
 #include "view/controls.hpp"
+#include "sim_gl/solvers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,7 @@ void next(Session& session, const char* name, Value& value, const Value (&values
 }
 
 void nextSolver(Session& session) {
-    const auto& known = sim::solvers();
+    const auto& known = sim_gl::solvers();
     const std::string& now = session.stage->simulation.solverInfo().name;
     const auto at = std::find_if(known.begin(), known.end(),
                                  [&](const sim::SolverInfo& solver) { return solver.name == now; });

@@ -1,5 +1,8 @@
 #include "view/played_scene.hpp"
 
+#include "sim_gl/gl_layout.hpp"
+#include "sim_gl/solvers.hpp"
+
 namespace sunder::view {
 
 using namespace core;
@@ -11,7 +14,7 @@ constexpr std::size_t kIncidentRoom = 4096;
 
 std::shared_ptr<const sim::Layout> layOut(WorldDescription world, bool hits) {
     if (!hits) world.events.clear();
-    auto layout = std::make_shared<sim::Layout>(std::move(world));
+    auto layout = std::make_shared<sim_gl::GlLayout>(std::move(world));
     layout->upload();
     return layout;
 }
@@ -21,7 +24,8 @@ std::shared_ptr<const sim::Layout> layOut(WorldDescription world, bool hits) {
 PlayedScene::PlayedScene(scene::Scene scene, const std::string& solver, bool hits,
                          const State* state)
     : scene_(std::move(scene)),
-      simulation_(layOut(scene_.world, hits), sim::findSolver(solver), 0, kIncidentRoom),
+      simulation_(layOut(scene_.world, hits), sim_gl::findSolver(solver), 0, kIncidentRoom),
+      drawn_(simulation_),
       atStart_(!state) {
     if (state)
         simulation_.setState(*state);
@@ -30,7 +34,7 @@ PlayedScene::PlayedScene(scene::Scene scene, const std::string& solver, bool hit
 }
 
 void PlayedScene::setSolver(const std::string& name) {
-    simulation_.setSolver(sim::findSolver(name));
+    simulation_.setSolver(sim_gl::findSolver(name));
 }
 
 void PlayedScene::restart() {
@@ -63,6 +67,10 @@ void PlayedScene::advance(const std::vector<Push>& pushes, int steps) {
     if (steps < 1) return;
     simulation_.advance(steps);
     simulation_.finish();
+}
+
+void PlayedScene::timePasses(gpu::PassTimer* timer) {
+    if (gpu::GpuSolver* solver = simulation_.gpuSolver()) solver->setPassTimer(timer);
 }
 
 }  // namespace sunder::view

@@ -4,6 +4,7 @@
 
 #include "scene/scene.hpp"
 #include "sim/simulation.hpp"
+#include "sim_gl/drawn_state.hpp"
 
 namespace sunder::view {
 
@@ -44,9 +45,9 @@ class PlayedScene {
 
     /// The last state, fetched at most once per advance().
     const core::State& state() { return simulation_.state(); }
-    gpu::StateView view() { return simulation_.view(); }
+    gpu::StateView view() { return drawn_.view(); }
     /// Where passes are timed from now on; null: nowhere. Only GPU solvers have passes.
-    void timePasses(gpu::PassTimer* timer) { simulation_.timePasses(timer); }
+    void timePasses(gpu::PassTimer*);
     /// Cells and bonds of which something was heard since the last call.
     std::vector<core::Incident> takeIncidents() { return simulation_.takeIncidents(); }
 
@@ -55,6 +56,7 @@ class PlayedScene {
 
     scene::Scene scene_;
     sim::Simulation simulation_;
+    sim_gl::DrawnState drawn_;
     bool atStart_;
 };
 

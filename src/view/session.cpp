@@ -11,6 +11,7 @@
 #include "image/image.hpp"
 #include "render/legend.hpp"
 #include "scene/scene_writer.hpp"
+#include "sim_gl/solvers.hpp"
 #include "view/every.hpp"
 #include "view/framing.hpp"
 
@@ -39,7 +40,7 @@ Session::Session(gl::Window& shown, const Options& options, Settings remembered)
       camera(scene::CameraDescription{}),
       folder(options.folder),
       opened_(scene::loadScene(options.scene)) {
-    if (!options.solver.empty()) settings.solver = sim::findSolver(options.solver).name;
+    if (!options.solver.empty()) settings.solver = sim_gl::findSolver(options.solver).name;
     const auto start = Instant::now();
     stage = newStage(opened_, nullptr, nullptr);
     buildTime_ = secondsSince(start);

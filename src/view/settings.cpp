@@ -8,7 +8,7 @@
 #include "scene/table_reader.hpp"
 #include "scene/toml_file.hpp"
 #include "scene/wording.hpp"
-#include "sim/solver_factory.hpp"
+#include "sim_gl/solvers.hpp"
 
 namespace sunder::view {
 
@@ -62,7 +62,7 @@ Settings readSettings(const fs::path& path) {
         {"solver", "mesh", "style", "colour", "samples", "vsync", "full_screen", "tool", "shot",
          "push", "radius", "scene_hits", "interface_scale", "panel", "width", "height"});
     std::vector<std::string_view> names;
-    for (const sim::SolverInfo& solver : sim::solvers()) names.push_back(solver.name);
+    for (const sim::SolverInfo& solver : sim_gl::solvers()) names.push_back(solver.name);
     if (const auto index = reader.readChoice("solver", names)) settings.solver = names[*index];
     readChoice(reader, "mesh", settings.mesh, render::kDrawnMeshes);
     readChoice(reader, "style", settings.style, render::kDrawStyles);

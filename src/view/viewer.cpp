@@ -9,6 +9,7 @@
 #include "core/loss_notes.hpp"
 #include "files/held_signals.hpp"
 #include "gpu/pass_timer.hpp"
+#include "sim_gl/solvers.hpp"
 #include "view/controls.hpp"
 #include "view/every.hpp"
 #include "view/panels/panels.hpp"
@@ -336,7 +337,7 @@ int view(const Options& options) {
         settings.height = options.height;
         settings.fullScreen = false;
     }
-    if (!options.solver.empty()) sim::findSolver(options.solver);
+    if (!options.solver.empty()) sim_gl::findSolver(options.solver);
     // What is wrong is a sentence, not a window that vanishes.
     startOverlaps(scene::loadScene(options.scene).world);
     if (!options.shaders.empty()) ShaderFolder check(options.shaders);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim_gl/solvers.hpp"
 #include "view/panels/panels.hpp"
 
 namespace sunder::view {
@@ -11,7 +12,7 @@ void drawSolvers(Session& session, Interface& ui) {
     ui.heading("Solver");
     std::vector<std::string_view> names, titles;
     int current = 0;
-    for (const sim::SolverInfo& solver : sim::solvers()) {
+    for (const sim::SolverInfo& solver : sim_gl::solvers()) {
         if (solver.name == session.stage->simulation.solverInfo().name)
             current = static_cast<int>(names.size());
         names.push_back(solver.name);

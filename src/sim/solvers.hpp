@@ -1,0 +1,35 @@
+#pragma once
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "core/solver.hpp"
+#include "sim/layout.hpp"
+
+namespace sunder::gpu {
+class GpuSolver;
+}
+
+namespace sunder::sim {
+
+/// A solver, and the same one as what else it is.
+struct MadeSolver {
+    std::unique_ptr<core::Solver> solver;
+    gpu::GpuSolver* onGpu = nullptr;  ///< null: its state is on the CPU
+};
+
+/// A kind of solver.
+struct SolverInfo {
+    std::string_view name;
+    std::string_view title;  ///< one line
+    bool gpu;                ///< needs the layout's buffers
+    bool threaded;           ///< takes a number of threads
+    /// The layout must outlive the solver. `threads` is for threaded ones; 0: one per core. Throws
+    /// InputError where the device has no room for it.
+    MadeSolver (*make)(const Layout&, int threads);
+};
+
+/// Those that need no GPU: `cpu`, `reference`.
+std::span<const SolverInfo> cpuSolvers();
+
+}  // namespace sunder::sim

@@ -1,0 +1,22 @@
+#pragma once
+#include <memory>
+
+#include "gpu/world_buffers.hpp"
+#include "sim/simulation.hpp"
+
+namespace sunder::sim_gl {
+
+/// What pictures of a simulation are drawn from, whichever solver it has: a GPU solver's own
+/// buffers, or an upload. The simulation's layout must be on the GPU; it must outlive this.
+class DrawnState {
+  public:
+    explicit DrawnState(sim::Simulation& simulation) : simulation_(simulation) {}
+    /// Until the state changes.
+    gpu::StateView view();
+
+  private:
+    sim::Simulation& simulation_;
+    std::unique_ptr<gpu::StateUpload> upload_;  ///< once it is needed
+};
+
+}  // namespace sunder::sim_gl
