@@ -6,7 +6,7 @@
 namespace sunder::sim {
 
 std::span<const SolverInfo> cpuSolvers() {
-    static constexpr SolverInfo known[] = {
+    static const SolverInfo known[] = {
         {"cpu", "several cells per instruction on every core; what is at rest sleeps", false, true,
          [](const Layout& layout, int threads) {
              return MadeSolver{std::make_unique<cpu::CpuSolver>(layout.world(), threads)};

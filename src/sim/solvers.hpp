@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 #include <span>
-#include <string_view>
+#include <string>
 
 #include "core/solver.hpp"
 #include "sim/layout.hpp"
@@ -20,10 +20,10 @@ struct MadeSolver {
 
 /// A kind of solver.
 struct SolverInfo {
-    std::string_view name;
-    std::string_view title;  ///< one line
-    bool gpu;                ///< needs the layout's buffers
-    bool threaded;           ///< takes a number of threads
+    std::string name;
+    std::string title;  ///< one line
+    bool gpu;           ///< needs the layout's buffers
+    bool threaded;      ///< takes a number of threads
     /// The layout must outlive the solver. `threads` is for threaded ones; 0: one per core. Throws
     /// InputError where the device has no room for it.
     MadeSolver (*make)(const Layout&, int threads);

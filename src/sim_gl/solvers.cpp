@@ -52,7 +52,7 @@ const sim::SolverInfo& findSolver(std::string_view name, std::string_view option
     std::string names;
     for (const sim::SolverInfo& solver : solvers()) {
         if (solver.name == name) return solver;
-        names += (names.empty() ? "" : ", ") + std::string(solver.name);
+        names += (names.empty() ? "" : ", ") + solver.name;
     }
     throw InputError(std::string(option) + ": there is no solver '" + std::string(name) +
                      "'; known: " + names);
