@@ -1,5 +1,4 @@
 #pragma once
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -38,12 +37,11 @@ enum class SurfaceKind {
     Glass,  ///< smooth; `transparency` says how clear
 };
 
-/// Everything that makes wood wood. Each field: unit, range, what raising it does. Ranges are
-/// checked when a file is read (materialFields() below holds the same ranges for the reader and for
-/// sliders).
+/// Everything that makes wood wood. Each field: unit, range, what raising it does. The ranges stand
+/// in materialRules() (core/rules.hpp), for readers, sliders and the check of a world.
 struct Material {
-    std::string name;
-    std::string description;
+    std::string name;         ///< for messages and files; one line of up to 1000 bytes, or empty
+    std::string description;  ///< likewise
 
     // --- Elasticity (thesis, chapter 6) ---
     /// Young's modulus, Pa, 1 to 1e12. Stiffer; limited by the step (stableYoungModulus), never
@@ -129,22 +127,7 @@ struct Material {
     double transparency = 0;
 };
 
-/// One number in a Material: its key in a file, its range, what it does. The file reader, the
-/// viewer's sliders and the tests walk this table.
-struct MaterialField {
-    std::string_view key;   ///< in TOML, for example "young_modulus"
-    std::string_view unit;  ///< "Pa", "1/s", …; "1" for a plain number
-    double min;
-    double max;
-    bool minExcluded;          ///< the value must be greater than min
-    bool maxExcluded;          ///< the value must be less than max
-    double Material::*scalar;  ///< exactly one of scalar and
-    Vec3 Material::*vector;    ///< vector is set; a vector's range is each component's
-    std::string_view help;     ///< one or two sentences: what it is, what raising it does
-};
-
-std::span<const MaterialField> materialFields();
-
+/// "green", "corotated", …; empty: it has no such value.
 std::string_view toString(ConstitutiveLaw);
 std::string_view toString(FractureMode);
 std::string_view toString(ClusterKind);

@@ -11,6 +11,7 @@
 #include "core/contact.hpp"
 #include "core/description.hpp"
 #include "core/room.hpp"
+#include "core/wording.hpp"
 
 namespace sunder::core {
 namespace {
@@ -82,8 +83,8 @@ class Check {
   public:
     explicit Check(const WorldDescription& world) : world_(world) {
         for (const BodyDescription& body : world.bodies) add(body);
-        for (const ObjectDescription& object : world.objects)
-            if (object.position) add(object);
+        for (std::size_t i = 0; i < world.objects.size(); ++i)
+            if (world.objects[i].position) add(world.objects[i], i);
     }
 
     StartOverlaps result() {
@@ -97,7 +98,8 @@ class Check {
 
   private:
     void add(const BodyDescription& body) {
-        Thing thing{"body '" + body.name + "'", body.where, body.mayOverlap, false, 0, {}};
+        Thing thing{
+            called("body", body.name, things_.size()), body.where, body.mayOverlap, false, 0, {}};
         thing.body = static_cast<int>(things_.size());
         thing.edge = body.size.cwiseQuotient(body.cells.cast<double>()).minCoeff();
         const double radius = kCellRoundness * thing.edge;
@@ -108,8 +110,8 @@ class Check {
         things_.push_back(std::move(thing));
     }
 
-    void add(const ObjectDescription& object) {
-        Thing thing{"object '" + object.name + "'",
+    void add(const ObjectDescription& object, std::size_t index) {
+        Thing thing{called("object", object.name, index),
                     object.where,
                     object.mayOverlap,
                     object.fixed,

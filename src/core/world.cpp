@@ -1,13 +1,17 @@
 #include "core/world.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
+#include "core/check.hpp"
 #include "core/contact.hpp"
 #include "core/elasticity.hpp"
 #include "core/memory.hpp"
 #include "core/strength_map.hpp"
+#include "core/wording.hpp"
 
 namespace sunder::core {
 namespace {
@@ -40,6 +44,7 @@ bool Body::contains(const IVec3& c) const {
 }
 
 World::World(WorldDescription description) : description_(std::move(description)) {
+    check(description_);
     layOutCells();
     findOverlaps();
     layOutNodes();
@@ -97,9 +102,7 @@ int World::lawFor(int materialIndex, const Vec3& cellSize) {
     for (std::size_t i = 0; i < laws_.size(); ++i)
         if (laws_[i].material == materialIndex && laws_[i].cellSize == cellSize)
             return static_cast<int>(i);
-    if (laws_.size() == kMaxElementLaws)
-        throw InputError("the world has more than " + std::to_string(kMaxElementLaws) +
-                         " combinations of material and cell size; use fewer");
+    assert(laws_.size() < kMaxElementLaws);  // check() counts them
     const Material& m = description_.materials[materialIndex];
     ElementLaw law;
     law.material = materialIndex;
@@ -125,15 +128,7 @@ int World::lawFor(int materialIndex, const Vec3& cellSize) {
 
 void World::layOutCells() {
     std::int64_t total = 0;
-    for (const BodyDescription& b : description_.bodies) {
-        const std::int64_t cells = static_cast<std::int64_t>(b.cells[0]) *
-                                   b.cells[1];  // cannot overflow; the product of three could
-        total += cells > kMaxCells ? kMaxCells + 1 : cells * b.cells[2];
-        if (total > kMaxCells)
-            throw InputError("the world is too large: it has more than " +
-                             std::to_string(kMaxCells) + " cells with body '" + b.name +
-                             "'; use fewer or larger cells");
-    }
+    for (const BodyDescription& body : description_.bodies) total += cellsOf(body.cells);
     requireMemory(total);
     cellBody_.reserve(total);
     cellLaw_.reserve(total);
@@ -168,14 +163,13 @@ void World::layOutCells() {
             gravity += m.density * m.gravity;
         }
         if (present == 0)
-            throw InputError("body '" + body.name +
-                             "' has no cells left: its regions remove them all");
+            throw InputError(called("body", body.name, index) +
+                             " has no cells left: its regions remove them all");
         body.drag = drag / density;
         body.gravity = description_.gravity * (gravity / density);
         presentCells_ += present;
         bodies_.push_back(std::move(body));
     }
-    if (bodies_.empty()) throw InputError("the world has no bodies; add at least one [[body]]");
 }
 
 void World::findOverlaps() {
@@ -250,23 +244,38 @@ void World::makeBonds() {
 }
 
 void World::makeEvents() {
-    std::vector<EventDescription> sorted = description_.events;
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const auto& a, const auto& b) { return a.body < b.body; });
-    for (const EventDescription& from : sorted) events_.push_back(makeEvent(from));
+    std::vector<std::size_t> sorted(description_.events.size());
+    std::iota(sorted.begin(), sorted.end(), std::size_t{0});
+    std::stable_sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) {
+        return description_.events[a].body < description_.events[b].body;
+    });
+    for (const std::size_t index : sorted) {
+        const EventDescription& from = description_.events[index];
+        events_.push_back(
+            layOutEvent(from, from.where.empty() ? called("event", {}, index) : from.where));
+    }
 }
 
 Event World::makeEvent(const EventDescription& from) const {
+    const std::string name = from.where.empty() ? "the event" : from.where;
+    // However long a game has been running: a step's number is as exact.
+    constexpr double kLatest = 1e10;
+    checkEvent(
+        from, bodies_.size(),
+        [&](std::string_view, const std::string& problem) {
+            throw InputError(name + ": " + problem);
+        },
+        kLatest);
+    return layOutEvent(from, name);
+}
+
+Event World::layOutEvent(const EventDescription& from, const std::string& name) const {
     Event event;
     event.body = from.body;
     event.radius = static_cast<float>(from.radius);
     event.start = inSteps(from.time, step());
     event.end = inSteps(from.time + from.duration, step());
     if (from.body == kEveryBody) {
-        if (from.kind != EventDescription::Kind::Velocity)
-            throw InputError(from.where +
-                             ": an event of every body must be of the kind velocity; what mass its "
-                             "ball will hold is not known");
         event.point = from.point.cast<float>();
         event.acceleration = from.vector / from.duration;
         event.outward = from.outward / from.duration;
@@ -282,9 +291,10 @@ Event World::makeEvent(const EventDescription& from) const {
             mass += nodeMass(node);
     }
     if (mass == 0)
-        throw InputError(from.where + ": no free node of body '" + body.name +
-                         "' lies within radius " +
-                         "of point; move the point onto the body or raise the radius");
+        throw InputError(name + ": no free node of " +
+                         called("body", body.name, static_cast<std::size_t>(from.body)) +
+                         " lies within radius of point; move the point onto the body or raise the "
+                         "radius");
     switch (from.kind) {
         case EventDescription::Kind::Impulse:
             event.acceleration = from.vector / (mass * from.duration);
@@ -300,12 +310,6 @@ Event World::makeEvent(const EventDescription& from) const {
 }
 
 void World::makeObjects() {
-    if (description_.objects.empty()) return;
-    if (!description_.contact)
-        throw InputError("the world has objects, but cells do not touch: enable contact");
-    if (description_.objects.size() > kMaxObjects)
-        throw InputError("the world has more than " + std::to_string(kMaxObjects) +
-                         " objects; use fewer");
     for (const ObjectDescription& from : description_.objects) objects_.push_back(makeObject(from));
     for (const ThrowDescription& from : description_.throws) {
         const auto at = static_cast<std::int64_t>(std::ceil(from.time / step() - 1e-6));

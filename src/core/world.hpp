@@ -41,7 +41,9 @@ inline constexpr double kUnequal = 8;
 /// from the lattice.
 class World {
   public:
-    /// Throws InputError when something is too large, empty or contradictory, or in something else.
+    /// Throws InputError for whatever check() refuses (core/check.hpp), more cells than memory,
+    /// bodies without cells, events beside their bodies, and things in one another
+    /// (core/overlap.hpp).
     explicit World(WorldDescription);
 
     const WorldDescription& description() const { return description_; }
@@ -102,8 +104,8 @@ class World {
 
     State initialState() const;
 
-    /// What an event means in this world. Its body must be one of this world's. Throws InputError
-    /// where it could push nothing.
+    /// What an event means in this world, at any time up to 1e10 s. Throws InputError for what
+    /// checkEvent() refuses (core/check.hpp), and where it could push nothing.
     Event makeEvent(const EventDescription&) const;
 
   private:
@@ -111,6 +113,8 @@ class World {
     void layOutNodes();
     void makeBonds();
     void makeEvents();
+    /// `name`: of the event, in messages.
+    Event layOutEvent(const EventDescription&, const std::string& name) const;
     void makeObjects();
     void findOverlaps();
     void findUnequalCells();

@@ -59,6 +59,8 @@ WorldDescription alone(const World& world, const StandingGroup& group) {
         copy.objects.push_back(object);
         copy.objects.back().fixed = true;
         copy.objects.back().hungFrom.reset();
+        copy.objects.back().velocity.setZero();
+        copy.objects.back().spin.setZero();
     }
     copy.contact = from.contact && copy.bodies.size() + copy.objects.size() > 1;
     return copy;

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/names.hpp"
+#include "core/wording.hpp"
 #include "scene/limits.hpp"
-#include "scene/names.hpp"
 #include "scene/overlap_reader.hpp"
-#include "scene/wording.hpp"
+#include "scene/scene_rules.hpp"
 
 namespace sunder::scene {
 
@@ -14,9 +15,8 @@ using namespace core;
 
 namespace {
 
-std::string triple(const IVec3& v) {
-    return "[" + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " + std::to_string(v[2]) +
-           "]";
+std::string copyName(const BodyDescription& body, std::int64_t number) {
+    return body.name + " " + std::to_string(number);
 }
 
 }  // namespace
@@ -36,11 +36,8 @@ void BodyReader::readBody(const TableReader& reader) {
     reader.require("name", "a name for messages and events");
     reader.read("name", body.name, kMaxName);
     reader.require("size", "[x, y, z] in m");
-    reader.read("size", body.size, {1e-3, 1e3, "m"});
     reader.require("cells", "the number of cells along x, y, z, such as [30, 20, 1]");
-    reader.read("cells", body.cells, {1, kMaxCells});
-    const Range coordinate{-kMaxLength, kMaxLength, "m"};
-    reader.read("position", body.position, coordinate);
+    reader.read(bodyRules(), body);
     body.mayOverlap = readOverlap(reader);
     body.where = reader.where("position");
     for (const std::size_t side : reader.readChoices("anchor", kSideNames))
@@ -55,8 +52,7 @@ void BodyReader::readBody(const TableReader& reader) {
     const int count = static_cast<int>(world_.bodies.size()) - first;
     names_.push_back(name);
     if (count > 1 && !groups_.try_emplace(name, Group{first, count}).second)
-        reader.fail("name", "there is already a body named " + inQuotes(name) +
-                                "; every body needs a name of its own");
+        reader.fail("name", nameTaken("body", name));
 }
 
 void BodyReader::readRegions(const TableReader& reader, BodyDescription& body) {
@@ -65,21 +61,8 @@ void BodyReader::readRegions(const TableReader& reader, BodyDescription& body) {
         RegionDescription region;
         table.require("from", "the first cell, such as [0, 0, 0]");
         table.require("to", "the last cell, such as [3, 3, 0]");
-        table.read("from", region.from, {0, kMaxCells});
-        table.read("to", region.to, {0, kMaxCells});
-        for (int axis = 0; axis < 3; ++axis) {
-            const int last = body.cells[axis] - 1;
-            const std::string number = ": number " + std::to_string(axis + 1) + " must be ";
-            if (region.from[axis] > last)
-                table.fail("from", "from" + number + "at most " + std::to_string(last) + ", not " +
-                                       std::to_string(region.from[axis]) +
-                                       ", because the body has " + triple(body.cells) + " cells");
-            if (region.to[axis] < region.from[axis] || region.to[axis] > last)
-                table.fail("to", "to" + number + "from " + std::to_string(region.from[axis]) +
-                                     " (that of from) to " + std::to_string(last) + ", not " +
-                                     std::to_string(region.to[axis]) + ", because the body has " +
-                                     triple(body.cells) + " cells");
-        }
+        table.read(regionRules(), region);
+        checkPlace(region, body.cells, table.complain());
         bool empty = false;
         table.read("empty", empty);
         if (empty == table.has("material"))
@@ -91,24 +74,20 @@ void BodyReader::readRegions(const TableReader& reader, BodyDescription& body) {
 }
 
 void BodyReader::addCopies(const TableReader& reader, const BodyDescription& body) {
-    IVec3 copies{1, 1, 1};
-    Vec3 spacing{0, 0, 0};
-    reader.read("copies", copies, {1, static_cast<int>(kMaxBodies)});
-    reader.read("spacing", spacing, {-kMaxLength, kMaxLength, "m"});
+    CopiesDescription described;
+    reader.read(copiesRules(), described);
+    const auto& [copies, spacing] = described;
     const std::int64_t count = std::int64_t{copies[0]} * copies[1] * copies[2];
     if (count + static_cast<std::int64_t>(world_.bodies.size()) >
         static_cast<std::int64_t>(kMaxBodies))
         reader.fail("copies", "the scene has too many bodies with " + std::to_string(count) +
                                   " of these; at most " + std::to_string(kMaxBodies) +
                                   " are allowed, copies included");
-    // One product at a time: three factors of 2^24 do not fit into 64 bits.
-    const std::int64_t layer = std::int64_t{body.cells[0]} * body.cells[1];
-    const std::int64_t each = layer > kMaxCells ? layer : layer * body.cells[2];
-    if (each > kMaxCells || cells_ + each * count > kMaxCells)
+    cells_ += cellsOf(body.cells, count);
+    if (cells_ > kMaxCells)
         reader.fail("cells", "the scene has too many cells with this body; at most " +
                                  std::to_string(kMaxCells) +
                                  " are allowed in all, copies included; use fewer or larger cells");
-    cells_ += each * count;
     for (int axis = 0; axis < 3; ++axis) {
         if (copies[axis] == 1) continue;
         if (!reader.has("spacing"))
@@ -122,14 +101,22 @@ void BodyReader::addCopies(const TableReader& reader, const BodyDescription& bod
                                        " m, or copies overlap, not " + formatNumber(spacing[axis]));
     }
     if (count == 1) return add(reader, body);
+    if (copyName(body, count).size() > kMaxName)
+        reader.fail("name", "name must be at most " + std::to_string(kMaxName) +
+                                " characters long with the number of each copy, as in " +
+                                inQuotes(copyName(body, 1)));
+    const Rule<BodyDescription>& position = *findRule(bodyRules(), "position");
     IVec3 index;
     for (index[2] = 0; index[2] < copies[2]; ++index[2])
         for (index[1] = 0; index[1] < copies[1]; ++index[1])
             for (index[0] = 0; index[0] < copies[0]; ++index[0]) {
                 const int number = index[0] + copies[0] * (index[1] + copies[1] * index[2]);
                 BodyDescription copy = body;
-                copy.name += " " + std::to_string(number + 1);
+                copy.name = copyName(body, number + 1);
                 copy.position += index.cast<double>().cwiseProduct(spacing);
+                checkNumbers(position, copy, [&](std::string_view, const std::string& problem) {
+                    reader.fail("spacing", inQuotes(copy.name) + ": " + problem);
+                });
                 add(reader, std::move(copy));
             }
 }
@@ -137,8 +124,7 @@ void BodyReader::addCopies(const TableReader& reader, const BodyDescription& bod
 void BodyReader::add(const TableReader& reader, BodyDescription body) {
     const int index = static_cast<int>(world_.bodies.size());
     if (!groups_.try_emplace(body.name, Group{index, 1}).second)
-        reader.fail("name", "there is already a body named " + inQuotes(body.name) +
-                                "; every body needs a name of its own");
+        reader.fail("name", nameTaken("body", body.name));
     world_.bodies.push_back(std::move(body));
 }
 

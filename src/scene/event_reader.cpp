@@ -1,9 +1,9 @@
 #include "scene/event_reader.hpp"
 
+#include "core/names.hpp"
+#include "core/wording.hpp"
 #include "scene/limits.hpp"
-#include "scene/names.hpp"
 #include "scene/object_reader.hpp"
-#include "scene/wording.hpp"
 
 namespace sunder::scene {
 
@@ -12,7 +12,6 @@ using namespace core;
 namespace {
 
 constexpr std::size_t kThrow = 3;
-constexpr std::string_view kUnits[] = {"N·s", "N", "m/s"};
 constexpr std::string_view kPushKeys[] = {"body", "point", "radius", "vector", "duration"};
 constexpr std::string_view kThrowKeys[] = {"object", "from", "velocity", "spin"};
 
@@ -44,22 +43,19 @@ void readEvents(const TableReader& scene, const BodyReader& bodies, WorldDescrip
             continue;
         }
         event.kind = static_cast<EventDescription::Kind>(kind);
-        const std::string unit(kUnits[kind]);
+        const auto rules = eventRules(event.kind);
         reader.require("time", "when it starts, in s");
-        reader.read("time", event.time, {0, kMaxTime, "s"});
         reader.require("point", "[x, y, z] in m from the centre of the body's bottom face");
-        reader.read("point", event.point, {-kMaxLength, kMaxLength, "m"});
         reader.require("radius", "the size of the patch it acts on, in m");
-        reader.read("radius", event.radius, {0, kMaxLength, "m", true});
-        reader.require("vector", "[x, y, z] in " + unit);
-        reader.read("vector", event.vector, {-1e12, 1e12, unit});
+        reader.require("vector",
+                       "[x, y, z] in " + std::string(findRule(rules, "vector")->range.unit));
         if (event.kind == EventDescription::Kind::Force)
             reader.require("duration", "how long the force acts, in s");
-        reader.read("duration", event.duration, {0, kMaxTime, "s", true});
+        reader.read(rules, event);
 
         reader.require("body", "the name of the body it acts on");
         std::string body;
-        reader.read("body", body, kMaxName + 16);
+        reader.read("body", body, kMaxName);
         const std::vector<int> targets = bodies.find(body);
         if (targets.empty())
             reader.fail("body", "there is no body " + inQuotes(body) +

@@ -1,11 +1,11 @@
 #include "scene/material_file.hpp"
 
+#include "core/wording.hpp"
 #include "files/utf8_path.hpp"
 #include "scene/limits.hpp"
 #include "scene/presets.hpp"
 #include "scene/scene.hpp"
 #include "scene/toml_file.hpp"
-#include "scene/wording.hpp"
 
 namespace sunder::scene {
 
@@ -16,12 +16,11 @@ namespace {
 /// Files that lead to one another by `base`; more is taken for a circle.
 constexpr int kMaxDepth = 8;
 
-/// Reads an enumeration whose values count from 0, spelt as toString() spells them.
+/// Reads an enumeration whose values have these names.
 template <class Enum>
-void readEnum(const TableReader& reader, std::string_view key, Enum& value, Enum last) {
-    std::vector<std::string_view> names;
-    for (int i = 0; i <= static_cast<int>(last); ++i) names.push_back(toString(Enum{i}));
-    if (const auto index = reader.readChoice(key, names)) value = Enum{static_cast<int>(*index)};
+void readEnum(const TableReader& reader, std::string_view key, Enum& value,
+              std::span<const std::string_view> names) {
+    if (const auto index = reader.readChoice(key, names)) value = static_cast<Enum>(*index);
 }
 
 /// Everything but the name.
@@ -35,17 +34,11 @@ Material readMaterial(const TableReader& reader, MaterialLibrary& library, std::
     // A base whose chunks have weak boundaries keeps them when only the strength inside changes.
     const bool oneStrength = material.boundaryStrength == material.strength;
     reader.read("description", material.description, kMaxDescription);
-    readEnum(reader, "law", material.law, ConstitutiveLaw::Corotated);
-    readEnum(reader, "fracture", material.fracture, FractureMode::Bond);
-    readEnum(reader, "clusters", material.clusters, ClusterKind::Planks);
-    readEnum(reader, "surface", material.surface, SurfaceKind::Glass);
-    for (const MaterialField& field : materialFields()) {
-        const Range range{field.min, field.max, field.unit, field.minExcluded, field.maxExcluded};
-        if (field.scalar)
-            reader.read(field.key, material.*field.scalar, range);
-        else
-            reader.read(field.key, material.*field.vector, range, true);
-    }
+    readEnum(reader, "law", material.law, kLawNames);
+    readEnum(reader, "fracture", material.fracture, kFractureNames);
+    readEnum(reader, "clusters", material.clusters, kClusterNames);
+    readEnum(reader, "surface", material.surface, kSurfaceNames);
+    reader.read(materialRules(), material, true);
     if (reader.has("strength") && !reader.has("boundary_strength") && oneStrength)
         material.boundaryStrength = material.strength;
     return material;
@@ -65,7 +58,7 @@ Material parseMaterialAt(std::string_view text, const std::string& file,
 
 TableReader::Keys materialKeys() {
     TableReader::Keys keys{"description", "base", "law", "fracture", "clusters", "surface"};
-    for (const MaterialField& field : materialFields()) keys.push_back(field.key);
+    for (const Rule<Material>& rule : materialRules()) keys.push_back(rule.key);
     return keys;
 }
 

@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "core/wording.hpp"
 #include "files/utf8_path.hpp"
 #include "scene/body_reader.hpp"
 #include "scene/event_reader.hpp"
@@ -8,9 +9,9 @@
 #include "scene/object_reader.hpp"
 #include "scene/presets.hpp"
 #include "scene/scene.hpp"
+#include "scene/scene_rules.hpp"
 #include "scene/table_reader.hpp"
 #include "scene/toml_file.hpp"
-#include "scene/wording.hpp"
 
 namespace sunder::scene {
 
@@ -20,8 +21,8 @@ namespace {
 
 void readSolver(const TableReader& root, Scene& scene) {
     if (const auto solver = root.table("solver", {"substeps", "fracture_interval"})) {
-        solver->read("substeps", scene.substeps, {1, 10000});
-        solver->read("fracture_interval", scene.world.fractureInterval, {1, 100});
+        solver->read(kSubstepsRule, scene);
+        solver->read(solverRules(), scene.world);
     }
     scene.world.step = 1.0 / (60.0 * scene.substeps);
 }
@@ -29,7 +30,7 @@ void readSolver(const TableReader& root, Scene& scene) {
 void readGround(const TableReader& root, WorldDescription& world) {
     if (const auto ground = root.table("ground", {"enabled", "friction"})) {
         ground->read("enabled", world.ground);
-        ground->read("friction", world.groundFriction, {0, 10});
+        ground->read(groundRules(), world);
     }
 }
 
@@ -37,15 +38,10 @@ void readRoom(const TableReader& root, WorldDescription& world) {
     const auto table = root.table("room", {"x", "z", "friction", "ceiling"});
     if (!table) return;
     RoomDescription& room = world.room.emplace();
-    const Range coordinate{-kMaxLength, kMaxLength, "m"};
-    for (const auto& [key, walls] : {std::pair{"x", &room.x}, {"z", &room.z}}) {
+    for (const char* key : {"x", "z"})
         table->require(key, "[low, high] in m, where the walls stand");
-        table->read(key, *walls, coordinate);
-    }
     room.friction = world.groundFriction;
-    table->read("friction", room.friction, {0, 10});
-    double ceiling = 0;
-    if (table->read("ceiling", ceiling, {0, kMaxLength, "m", true})) room.ceiling = ceiling;
+    table->read(roomRules(), room);
 }
 
 void readContact(const TableReader& root, WorldDescription& world) {
@@ -53,7 +49,7 @@ void readContact(const TableReader& root, WorldDescription& world) {
     const auto contact = root.table("contact", {"enabled", "parting_speed"});
     if (!contact) return;
     contact->read("enabled", world.contact);
-    contact->read("parting_speed", world.partingSpeed, {0.2, 100, "m/s"});
+    contact->read(contactRules(), world);
     if (!world.contact && !world.objects.empty())
         contact->fail("enabled",
                       "the scene has objects, which touch nothing without contact; leave enabled "
@@ -65,10 +61,7 @@ void readCamera(const TableReader& root, Scene& scene) {
     if (!table) return;
     scene.ownCamera = true;
     CameraDescription& camera = scene.camera;
-    const Range coordinate{-kMaxLength, kMaxLength, "m"};
-    table->read("position", camera.position, coordinate);
-    table->read("target", camera.target, coordinate);
-    table->read("field_of_view", camera.fieldOfView, {1, 170, "degrees"});
+    table->read(cameraRules(), camera);
     if ((camera.position - camera.target).norm() < 1e-3)
         table->fail("position",
                     "position and target must be at least 0.001 m apart, or it looks nowhere");
@@ -87,8 +80,8 @@ Scene parseScene(std::string_view text, const std::string& file,
     scene.title = scene.name;
     WorldDescription& world = scene.world;
     root.read("title", scene.title, kMaxTitle);
-    root.read("frames", scene.frames, {1, 1000000});
-    root.read("gravity", world.gravity, {-1000, 1000, "m/s²"});
+    root.read(kFramesRule, scene);
+    root.read(*findRule(worldRules(), "gravity"), world);
     std::int64_t seed = 1;
     root.read("seed", seed, {0, std::numeric_limits<std::int64_t>::max()});
     world.seed = static_cast<std::uint64_t>(seed);

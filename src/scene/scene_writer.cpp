@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "scene/names.hpp"
-#include "scene/wording.hpp"
+#include <set>
 
 namespace sunder::scene {
 
@@ -36,6 +34,13 @@ std::string text(const Eigen::Matrix<Number, 3, 1>& v) {
     return "[" + text(v[0]) + ", " + text(v[1]) + ", " + text(v[2]) + "]";
 }
 
+std::string text(const Numbers& numbers) {
+    std::string list;
+    for (int i = 0; i < numbers.count; ++i)
+        list += (i > 0 ? ", " : "") + text(numbers.values[static_cast<std::size_t>(i)]);
+    return numbers.count == 1 ? list : "[" + list + "]";
+}
+
 /// Lines "key = value", and headings.
 class Writer {
   public:
@@ -53,6 +58,37 @@ class Writer {
     std::string out_;
 };
 
+/// A name for each of some things, with a number where two share one.
+std::vector<std::string> numbered(std::vector<std::string> names) {
+    std::set<std::string> taken;
+    for (std::string& name : names) {
+        const std::string plain = name;
+        for (int number = 2; !taken.insert(name).second; ++number)
+            name = plain + "-" + std::to_string(number);
+    }
+    return names;
+}
+
+/// A name for each material that a scene may give it: its own, unless it is a path.
+std::vector<std::string> namesFor(const std::vector<Material>& materials) {
+    std::vector<std::string> names;
+    for (const Material& material : materials) {
+        std::string name;
+        for (const char c : material.name)
+            name += c == '/' || c == '\\' || c == '.' || c == '"' ? '-' : c;
+        names.push_back(name.empty() ? "material" : name);
+    }
+    return numbered(std::move(names));
+}
+
+/// The names of bodies or objects, and one for each that has none.
+template <class Thing>
+std::vector<std::string> namesFor(const std::vector<Thing>& things, const std::string& unnamed) {
+    std::vector<std::string> names;
+    for (const Thing& thing : things) names.push_back(thing.name.empty() ? unnamed : thing.name);
+    return numbered(std::move(names));
+}
+
 void addMaterial(Writer& out, const Material& material) {
     if (!material.description.empty())
         out.add("description", std::string_view(material.description));
@@ -60,17 +96,13 @@ void addMaterial(Writer& out, const Material& material) {
     out.add("fracture", toString(material.fracture));
     out.add("clusters", toString(material.clusters));
     out.add("surface", toString(material.surface));
-    for (const MaterialField& field : materialFields()) {
-        if (field.scalar)
-            out.add(field.key, material.*field.scalar);
-        else
-            out.add(field.key, material.*field.vector);
-    }
+    for (const Rule<Material>& rule : materialRules()) out.add(rule.key, rule.get(material));
 }
 
-void addBody(Writer& out, const BodyDescription& body, const std::vector<std::string>& materials) {
+void addBody(Writer& out, const BodyDescription& body, const std::string& name,
+             const std::vector<std::string>& materials) {
     out.heading("[[body]]");
-    out.add("name", std::string_view(body.name));
+    out.add("name", std::string_view(name));
     out.add("material", std::string_view(materials[body.material]));
     out.add("size", body.size);
     out.add("cells", body.cells);
@@ -91,9 +123,9 @@ void addBody(Writer& out, const BodyDescription& body, const std::vector<std::st
     }
 }
 
-void addObject(Writer& out, const ObjectDescription& object) {
+void addObject(Writer& out, const ObjectDescription& object, const std::string& name) {
     out.heading("[[object]]");
-    out.add("name", std::string_view(object.name));
+    out.add("name", std::string_view(name));
     out.add("shape", kShapeNames[static_cast<int>(object.shape)]);
     if (object.shape == ObjectShape::Box) {
         out.add("size", Vec3(2 * object.halfSize));
@@ -126,13 +158,14 @@ void addObject(Writer& out, const ObjectDescription& object) {
     if (object.mayOverlap) out.add("overlap", std::string_view("allow"));
 }
 
-void addEvents(Writer& out, const WorldDescription& world) {
+void addEvents(Writer& out, const WorldDescription& world, const std::vector<std::string>& bodies,
+               const std::vector<std::string>& objects) {
     for (const EventDescription& event : world.events) {
         out.heading("[[event]]");
         out.add("time", event.time);
         out.add("duration", event.duration);
         out.add("kind", kEventNames[static_cast<int>(event.kind)]);
-        out.add("body", std::string_view(world.bodies[event.body].name));
+        out.add("body", std::string_view(bodies[event.body]));
         out.add("point", event.point);
         out.add("radius", event.radius);
         out.add("vector", event.vector);
@@ -141,28 +174,11 @@ void addEvents(Writer& out, const WorldDescription& world) {
         out.heading("[[event]]");
         out.add("time", thrown.time);
         out.add("kind", std::string_view("throw"));
-        out.add("object", std::string_view(world.objects[thrown.object].name));
+        out.add("object", std::string_view(objects[thrown.object]));
         out.add("from", thrown.from);
         out.add("velocity", thrown.velocity);
         out.add("spin", thrown.spin);
     }
-}
-
-/// A name for each material that a scene may give it: its own, with a number where two share one,
-/// or it is a path.
-std::vector<std::string> namesFor(const std::vector<Material>& materials) {
-    std::vector<std::string> names;
-    for (const Material& material : materials) {
-        std::string name;
-        for (const char c : material.name)
-            name += c == '/' || c == '\\' || c == '.' || c == '"' ? '-' : c;
-        if (name.empty()) name = "material";
-        const std::string plain = name;
-        for (int number = 2; std::find(names.begin(), names.end(), name) != names.end(); ++number)
-            name = plain + "-" + std::to_string(number);
-        names.push_back(name);
-    }
-    return names;
 }
 
 }  // namespace
@@ -205,10 +221,15 @@ std::string writeScene(const Scene& scene) {
         out.heading("[material." + text(std::string_view(materials[i])) + "]");
         addMaterial(out, world.materials[i]);
     }
-    for (const BodyDescription& body : world.bodies) addBody(out, body, materials);
-    for (const ObjectDescription& object : world.objects) addObject(out, object);
-    addEvents(out, world);
+    const std::vector<std::string> bodies = namesFor(world.bodies, "body"),
+                                   objects = namesFor(world.objects, "object");
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        addBody(out, world.bodies[i], bodies[i], materials);
+    for (std::size_t i = 0; i < objects.size(); ++i) addObject(out, world.objects[i], objects[i]);
+    addEvents(out, world, bodies, objects);
     return out.take();
 }
 
 }  // namespace sunder::scene
+#include "core/names.hpp"
+#include "core/wording.hpp"

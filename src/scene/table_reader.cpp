@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/wording.hpp"
-
 namespace sunder::scene {
 
 using namespace core;
@@ -20,29 +18,6 @@ std::string butIs(const toml::node& node) {
     if (const auto* v = node.as_array()) return ", not a list of " + std::to_string(v->size());
     if (node.is_table()) return ", not a table";
     return ", not a date or time";
-}
-
-std::string allowed(const Range& r) {
-    const std::string min = formatNumber(r.min);
-    const std::string max = formatNumber(r.max);
-    const std::string unit = r.unit == "1" ? "" : " " + std::string(r.unit);
-    if (!r.minExcluded && !r.maxExcluded) return "from " + min + " to " + max + unit;
-    return (r.minExcluded ? "greater than " : "at least ") + min + " and " +
-           (r.maxExcluded ? "less than " : "at most ") + max + unit;
-}
-
-std::string allowed(const WholeRange& r) {
-    return "a whole number from " + std::to_string(r.min) + " to " + std::to_string(r.max);
-}
-
-bool contains(const Range& r, double v) {
-    // Written so that NaN fails every comparison.
-    return std::isfinite(v) && (r.minExcluded ? v > r.min : v >= r.min) &&
-           (r.maxExcluded ? v < r.max : v <= r.max);
-}
-
-std::string component(std::string_view key, std::size_t index) {
-    return std::string(key) + ": number " + std::to_string(index + 1);
 }
 
 }  // namespace
@@ -108,12 +83,13 @@ bool TableReader::read(std::string_view key, bool& value) const {
 }
 
 double TableReader::number(const toml::node& node, const std::string& name, const Range& range,
-                           const char* article) const {
+                           bool whole) const {
+    if (whole) return static_cast<double>(wholeNumber(node, name, wholeRange(range)));
     if (!node.is_number())
-        failAt(&node, name + " must be " + article + allowed(range) + butIs(node));
+        failAt(&node, name + " must be a number " + toString(range) + butIs(node));
     const double value = node.is_integer() ? static_cast<double>(node.as_integer()->get())
                                            : node.as_floating_point()->get();
-    if (!contains(range, value)) failAt(&node, name + " must be " + allowed(range) + butIs(node));
+    if (!range.contains(value)) failAt(&node, name + " must be " + toString(range) + butIs(node));
     return value;
 }
 
@@ -128,29 +104,15 @@ std::int64_t TableReader::wholeNumber(const toml::node& node, const std::string&
         if (std::abs(v) <= 9007199254740992.0 && v == std::floor(v))
             value = static_cast<std::int64_t>(v);
     }
-    if (!value || *value < range.min || *value > range.max)
-        failAt(&node, name + " must be " + allowed(range) + butIs(node));
+    if (!value || !range.contains(*value))
+        failAt(&node, name + " must be " + toString(range) + butIs(node));
     return *value;
-}
-
-bool TableReader::read(std::string_view key, double& value, const Range& range) const {
-    const toml::node* node = table_->get(key);
-    if (!node) return false;
-    value = number(*node, std::string(key), range, "a number ");
-    return true;
 }
 
 bool TableReader::read(std::string_view key, std::int64_t& value, const WholeRange& range) const {
     const toml::node* node = table_->get(key);
     if (!node) return false;
     value = wholeNumber(*node, std::string(key), range);
-    return true;
-}
-
-bool TableReader::read(std::string_view key, int& value, const WholeRange& range) const {
-    std::int64_t wide = value;
-    if (!read(key, wide, range)) return false;
-    value = static_cast<int>(wide);
     return true;
 }
 
@@ -162,41 +124,23 @@ const toml::array& TableReader::list(const toml::node& node, std::string_view ke
     return *array;
 }
 
-bool TableReader::read(std::string_view key, IVec3& value, const WholeRange& range) const {
+bool TableReader::readNumbers(std::string_view key, const Range& range, bool whole, bool single,
+                              Numbers& numbers) const {
     const toml::node* node = table_->get(key);
     if (!node) return false;
-    const toml::array& array = list(*node, key, 3, "three whole numbers");
-    for (std::size_t i = 0; i < 3; ++i)
-        value[static_cast<int>(i)] =
-            static_cast<int>(wholeNumber(array[i], component(key, i), range));
-    return true;
-}
-
-bool TableReader::read(std::string_view key, Vec3& value, const Range& range, bool single) const {
-    const toml::node* node = table_->get(key);
-    if (!node) return false;
-    if (single && node->is_number()) {
-        value.setConstant(number(*node, std::string(key), range, "a number "));
+    if (numbers.count == 1 || (single && node->is_number())) {
+        numbers.values.fill(number(*node, std::string(key), range, whole));
         return true;
     }
     const toml::array& array =
-        list(*node, key, 3,
-             std::string("three numbers") + (single ? ", or one number for all three" : ""));
-    for (std::size_t i = 0; i < 3; ++i)
-        value[static_cast<int>(i)] = number(array[i], component(key, i), range, "a number ");
-    return true;
-}
-
-bool TableReader::read(std::string_view key, std::array<double, 2>& value,
-                       const Range& range) const {
-    const toml::node* node = table_->get(key);
-    if (!node) return false;
-    const toml::array& array = list(*node, key, 2, "two numbers");
-    for (std::size_t i = 0; i < 2; ++i)
-        value[i] = number(array[i], component(key, i), range, "a number ");
-    if (!(value[0] < value[1]))
-        failAt(node, std::string(key) + ": number 2 must be greater than number 1, " +
-                         formatNumber(value[0]) + ", not " + formatNumber(value[1]));
+        list(*node, key, static_cast<std::size_t>(numbers.count),
+             std::string(numbers.count == 2 ? "two " : "three ") + (whole ? "whole " : "") +
+                 "numbers" + (single ? ", or one number for all three" : ""));
+    for (int i = 0; i < numbers.count; ++i) {
+        const auto index = static_cast<std::size_t>(i);
+        numbers.values[index] = number(array[index], component(key, i), range, whole);
+    }
+    checkNumbers(key, range, whole, numbers, complain());
     return true;
 }
 
@@ -204,15 +148,9 @@ std::string TableReader::line(const toml::node& node, const std::string& name,
                               std::size_t maxCharacters) const {
     const toml::value<std::string>* text = node.as_string();
     if (!text) failAt(&node, name + " must be a text in quotes" + butIs(node));
-    const std::string& value = text->get();
-    if (value.empty()) failAt(&node, name + " must not be empty");
-    if (value.size() > maxCharacters)
-        failAt(&node, name + " must be at most " + std::to_string(maxCharacters) +
-                          " characters long" + butIs(node));
-    const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
-    if (std::any_of(value.begin(), value.end(), isControl))
-        failAt(&node, name + " must be one line without control characters" + butIs(node));
-    return value;
+    if (const std::string problem = lineProblem(name, text->get(), maxCharacters); !problem.empty())
+        failAt(&node, problem);
+    return text->get();
 }
 
 bool TableReader::read(std::string_view key, std::string& value, std::size_t maxCharacters) const {
@@ -252,8 +190,7 @@ std::vector<std::size_t> TableReader::readChoices(std::string_view key,
     for (const toml::node& element : *array) {
         const std::size_t index = choice(element, "each of " + std::string(key), names);
         if (std::find(result.begin(), result.end(), index) != result.end())
-            failAt(&element, std::string(key) + " names " + inQuotes(names[index]) +
-                                 " twice; once is enough");
+            failAt(&element, namedTwice(key, names[index]));
         result.push_back(index);
     }
     return result;
@@ -316,3 +253,4 @@ std::vector<std::pair<std::string, TableReader>> TableReader::namedTables(
 }
 
 }  // namespace sunder::scene
+#include "core/wording.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 #include <toml++/toml.h>
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -9,24 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/types.hpp"
+#include "core/check.hpp"
+#include "core/rule.hpp"
 
 namespace sunder::scene {
-
-/// What a number may be. Not-a-number and infinity never pass.
-struct Range {
-    double min;
-    double max;
-    std::string_view unit = "1";  ///< "1": a plain number
-    bool minExcluded = false;
-    bool maxExcluded = false;
-};
-
-/// Both ends included.
-struct WholeRange {
-    std::int64_t min;
-    std::int64_t max;
-};
 
 /// Reads one TOML table. Knows where it stands, so that every error is one sentence:
 /// "FILE:LINE: TABLE: KEY must be …, not …". A key outside `known` is an error at once: before any
@@ -47,16 +32,23 @@ class TableReader {
     void require(std::string_view key, std::string_view hint) const;
 
     bool read(std::string_view key, bool& value) const;
-    bool read(std::string_view key, double& value, const Range& range) const;
     /// A whole number; 1e6 counts as one.
-    bool read(std::string_view key, std::int64_t& value, const WholeRange& range) const;
-    bool read(std::string_view key, int& value, const WholeRange& range) const;
-    bool read(std::string_view key, core::IVec3& value, const WholeRange& range) const;
-    /// `single`: one number is taken for all three.
-    bool read(std::string_view key, core::Vec3& value, const Range& range,
-              bool single = false) const;
-    /// Two numbers, the second greater than the first.
-    bool read(std::string_view key, std::array<double, 2>& value, const Range& range) const;
+    bool read(std::string_view key, std::int64_t& value, const core::WholeRange& range) const;
+    /// What a rule is about: a number, or a list of two or three. `single`: one number is taken for
+    /// all three.
+    template <class Struct>
+    bool read(const core::Rule<Struct>& rule, Struct& object, bool single = false) const {
+        core::Numbers numbers{{}, rule.count()};
+        if (!readNumbers(rule.key, rule.range, rule.whole(), single, numbers)) return false;
+        rule.set(object, numbers);
+        return true;
+    }
+    /// The same for a whole table of rules.
+    template <class Struct>
+    void read(std::span<const core::Rule<Struct>> rules, Struct& object,
+              bool single = false) const {
+        for (const core::Rule<Struct>& rule : rules) read(rule, object, single);
+    }
     /// One line of 1 to `maxCharacters` bytes without control characters.
     bool read(std::string_view key, std::string& value, std::size_t maxCharacters) const;
 
@@ -85,16 +77,23 @@ class TableReader {
     /// Throws InputError "FILE:LINE: TABLE: `problem`", with the line of the key if it is there.
     [[noreturn]] void fail(std::string_view key, const std::string& problem) const;
     [[noreturn]] void fail(const std::string& problem) const { fail({}, problem); }
+    /// The same for the checks that are not of files alone. Must not outlive the reader.
+    core::Complain complain() const {
+        return [this](std::string_view key, const std::string& problem) { fail(key, problem); };
+    }
 
   private:
     TableReader(const TableReader& parent, const toml::table& table, std::string what, Keys known);
     void refuseUnknownKeys(const Keys& known) const;
     [[noreturn]] void failAt(const toml::node* node, const std::string& problem) const;
     std::string location(std::uint32_t line) const;
-    double number(const toml::node& node, const std::string& name, const Range& range,
-                  const char* article) const;
+    /// Reads as many as `numbers` has.
+    bool readNumbers(std::string_view key, const core::Range& range, bool whole, bool single,
+                     core::Numbers& numbers) const;
+    double number(const toml::node& node, const std::string& name, const core::Range& range,
+                  bool whole) const;
     std::int64_t wholeNumber(const toml::node& node, const std::string& name,
-                             const WholeRange& range) const;
+                             const core::WholeRange& range) const;
     std::string line(const toml::node& node, const std::string& name,
                      std::size_t maxCharacters) const;
     const toml::array& list(const toml::node& node, std::string_view key, std::size_t size,

@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include "core/types.hpp"
+#include "core/wording.hpp"
 #include "files/utf8_path.hpp"
-#include "scene/wording.hpp"
 
 namespace sunder::scene {
 

@@ -108,17 +108,21 @@ bool pressKey(Session& session, Key key, const gl::Modifiers& with) {
     return false;
 }
 
+const core::Range& settingsRange(std::string_view key) {
+    return core::findRule(settingsRules(), key)->range;
+}
+
 void turnWheel(Session& session, const InputEvent& turned) {
     Settings& settings = session.settings;
     // macOS turns it to the side with Shift held.
     const double factor = std::pow(1.1, turned.wheelY != 0 ? turned.wheelY : turned.wheelX);
     if (turned.with.control) {
-        settings.radius = std::clamp(settings.radius * factor, 0.02, 2.0);
+        settings.radius = settingsRange("radius").nearest(settings.radius * factor);
         session.log.add("radius", {{"value", settings.radius}});
     } else if (turned.with.shift) {
         const bool shot = settings.tool == Tool::Shoot;
         double& strength = shot ? settings.shot : settings.push;
-        strength = std::clamp(strength * factor, 1.0, shot ? 150.0 : 2000.0);
+        strength = settingsRange(shot ? "shot" : "push").nearest(strength * factor);
         session.log.add("strength", {{"value", strength}});
     } else {
         session.camera.zoom(factor);

@@ -2,12 +2,12 @@
 
 #include <iterator>
 
+#include "core/wording.hpp"
 #include "files/system.hpp"
 #include "files/utf8_path.hpp"
 #include "files/write_file.hpp"
 #include "scene/table_reader.hpp"
 #include "scene/toml_file.hpp"
-#include "scene/wording.hpp"
 #include "sim_gl/solvers.hpp"
 
 namespace sunder::view {
@@ -17,6 +17,23 @@ using namespace core;
 namespace {
 
 namespace fs = std::filesystem;
+
+using S = Settings;
+constexpr Rule<S> kRules[] = {
+    {"samples", {1, 8}, &S::samples, "Samples a pixel. More: smoother edges, slower."},
+    {"shot", {1, 150, "m/s"}, &S::shot, "Speed that the middle of the spot gets. Shift and wheel."},
+    {"push",
+     {1, 2000, "m/s²"},
+     &S::push,
+     "Acceleration of the middle of the spot while you hold the button. Shift and wheel."},
+    {"radius",
+     {0.02, 2, "m"},
+     &S::radius,
+     "Size of the spot: the ring around the mouse. Ctrl and wheel."},
+    {"interface_scale", {0.5, 4}, &S::interfaceScale, "Size of letters, and of all around them."},
+    {"width", {320, 16384}, &S::width, "Of the window, in the screen's coordinates."},
+    {"height", {240, 16384}, &S::height, "Of the window, in the screen's coordinates."},
+};
 
 template <class Choice, std::size_t Count>
 void readChoice(const scene::TableReader& reader, std::string_view key, Choice& value,
@@ -46,6 +63,10 @@ std::string_view toString(Tool tool) {
     return "";
 }
 
+std::span<const Rule<Settings>> settingsRules() {
+    return kRules;
+}
+
 fs::path settingsFile() {
     const fs::path folder = files::settingsFolder();
     return folder.empty() ? folder : folder / "sunder" / "viewer.toml";
@@ -68,17 +89,11 @@ Settings readSettings(const fs::path& path) {
     readChoice(reader, "style", settings.style, render::kDrawStyles);
     readChoice(reader, "colour", settings.colour, render::kWallColours);
     readChoice(reader, "tool", settings.tool, kTools);
-    reader.read("samples", settings.samples, {1, 8});
     reader.read("vsync", settings.vsync);
     reader.read("full_screen", settings.fullScreen);
-    reader.read("shot", settings.shot, {1, 150, "m/s"});
-    reader.read("push", settings.push, {1, 2000, "m/s²"});
-    reader.read("radius", settings.radius, {0.02, 2, "m"});
     reader.read("scene_hits", settings.sceneHits);
-    reader.read("interface_scale", settings.interfaceScale, {0.5, 4});
     reader.read("panel", settings.panel);
-    reader.read("width", settings.width, {320, 16384});
-    reader.read("height", settings.height, {240, 16384});
+    reader.read(settingsRules(), settings);
     return settings;
 }
 
@@ -98,11 +113,11 @@ void writeSettings(const fs::path& path, const Settings& settings) {
         {"vsync", settings.vsync ? "true" : "false"},
         {"full_screen", settings.fullScreen ? "true" : "false"},
         {"tool", inToml(toString(settings.tool))},
-        {"shot", scene::formatNumber(settings.shot)},
-        {"push", scene::formatNumber(settings.push)},
-        {"radius", scene::formatNumber(settings.radius)},
+        {"shot", formatNumber(settings.shot)},
+        {"push", formatNumber(settings.push)},
+        {"radius", formatNumber(settings.radius)},
         {"scene_hits", settings.sceneHits ? "true" : "false"},
-        {"interface_scale", scene::formatNumber(settings.interfaceScale)},
+        {"interface_scale", formatNumber(settings.interfaceScale)},
         {"panel", settings.panel ? "true" : "false"},
         {"width", std::to_string(settings.width)},
         {"height", std::to_string(settings.height)},

@@ -1,7 +1,9 @@
 #pragma once
 #include <filesystem>
+#include <span>
 #include <string>
 
+#include "core/rule.hpp"
 #include "render/cell_colours.hpp"
 #include "render/renderer.hpp"
 
@@ -28,6 +30,9 @@ struct Settings {
     bool panel = true;               ///< shown
     int width = 1280, height = 720;  ///< of the window when not full screen
 };
+
+/// What its numbers may be, in the file and on sliders.
+std::span<const core::Rule<Settings>> settingsRules();
 
 /// viewer.toml in the user's folder for settings: $XDG_CONFIG_HOME/sunder or ~/.config/sunder,
 /// %APPDATA%\sunder, ~/Library/Application Support/sunder. Empty where the system names none.

@@ -7,7 +7,6 @@ using namespace sunder::core;
 
 ObjectDescription ball(double radius, double mass, const Vec3& position, const Vec3& velocity) {
     ObjectDescription object;
-    object.name = "ball";
     object.halfSize.setConstant(radius);
     object.mass = mass;
     object.position = position;

@@ -13,7 +13,6 @@ WorldDescription block(IVec3 cells, Material material) {
     WorldDescription d;
     d.materials = {std::move(material)};
     BodyDescription body;
-    body.name = "block";
     body.cells = cells;
     body.size = 0.1 * cells.cast<double>();
     d.bodies = {body};

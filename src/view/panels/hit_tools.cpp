@@ -18,16 +18,16 @@ void drawHitTools(Session& session, Interface& ui) {
         session.changed("tool", toString(settings.tool));
     }
     ui.label("Strength");
+    const auto slider = [&](const char* name, std::string_view key, double& value) {
+        const core::Rule<Settings>& rule = *core::findRule(settingsRules(), key);
+        ui.slider(name, value, {rule.range.min, rule.range.max}, rule.range.unit, rule.help);
+    };
     if (settings.tool == Tool::Shoot)
-        ui.slider("strength", settings.shot, {1, 150}, "m/s",
-                  "Speed that the middle of the spot gets. Shift and wheel.");
+        slider("strength", "shot", settings.shot);
     else
-        ui.slider("strength", settings.push, {1, 2000}, "m/s²",
-                  "Acceleration of the middle of the spot while you hold the button. Shift and "
-                  "wheel.");
+        slider("strength", "push", settings.push);
     ui.label("Radius");
-    ui.slider("radius", settings.radius, {0.02, 2}, "m",
-              "Size of the spot: the ring around the mouse. Ctrl and wheel.");
+    slider("radius", "radius", settings.radius);
     ImGui::TextDisabled("Keys 1 to 9 hit at nine places.");
     bool own = settings.sceneHits;
     if (ui.checkbox("scene_hits", "The scene's own hits", own,

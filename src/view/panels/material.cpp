@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/elasticity.hpp"
+#include "core/rules.hpp"
 #include "view/panels/panels.hpp"
 
 namespace sunder::view {
@@ -16,8 +17,10 @@ using namespace core;
 
 namespace {
 
+using MaterialRule = Rule<Material>;
+
 constexpr std::pair<std::string_view, const char*> kGroups[] = {
-    // first field of each, in the order of materialFields()
+    // first field of each, in the order of materialRules()
     {"young_modulus", "Stiffness and weight"},
     {"max_stress", "Breaking"},
     {"friction", "Touching"},
@@ -40,21 +43,17 @@ std::string label(std::string_view key) {
     return text;
 }
 
-double leastOf(const MaterialField& field) {
-    if (!field.minExcluded) return field.min;
-    return field.min == 0 ? 1e-3 : std::nextafter(field.min, field.max);
-}
-
-double mostOf(const MaterialField& field) {
-    return field.maxExcluded ? std::nextafter(field.max, field.min) : field.max;
-}
+/// A slider reaches no closer to an end that is excluded, where that is 0.
+constexpr double kLeast = 1e-3;
 
 /// A strength may be anything from next to nothing to 1e15 Pa: eighteen decades on a slider, where
 /// a pixel is half as much again. So a slider reaches some way around where it was, `home`, and as
 /// far as `value` has been typed.
 /// More than `carried` has no effect, so it reaches below that, too.
-Interface::Scale scaleOf(const MaterialField& field, double value, double home, double carried) {
-    const double least = leastOf(field), most = mostOf(field);
+Interface::Scale scaleOf(const MaterialRule& rule, double value, double home, double carried) {
+    const Range& range = rule.range;
+    const double least = range.minExcluded && range.min == 0 ? kLeast : range.least();
+    const double most = range.most();
     Interface::Scale scale{least, most, false, least, most, home};
     if (most - least <= 5) return scale;
     constexpr double kReach = 20;
@@ -78,20 +77,20 @@ struct Unit {
     std::string name;
 };
 /// Stresses are read in thousands, millions or thousands of millions of pascals.
-Unit unitOf(const MaterialField& field, double home) {
+Unit unitOf(const MaterialRule& rule, double home) {
     constexpr std::pair<double, const char*> kPascals[] = {
         {1e9, "GPa"}, {1e6, "MPa"}, {1e3, "kPa"}};
-    if (field.unit == "Pa")
+    if (rule.range.unit == "Pa")
         for (const auto& [size, name] : kPascals)
             if (home >= size) return {size, name};
-    return {1, std::string(field.unit)};
+    return {1, std::string(rule.range.unit)};
 }
 
 /// One number of a field. True while it is being changed.
-bool drawNumber(const MaterialField& field, Interface& ui, const std::string& name, double& value,
+bool drawNumber(const MaterialRule& rule, Interface& ui, const std::string& name, double& value,
                 double home, double carried, const std::string& help) {
-    Interface::Scale scale = scaleOf(field, value, home, carried);
-    const Unit unit = unitOf(field, home);
+    Interface::Scale scale = scaleOf(rule, value, home, carried);
+    const Unit unit = unitOf(rule, home);
     scale.unit = unit.size;
     return ui.slider(name, value, scale, unit.name, help);
 }
@@ -115,7 +114,7 @@ std::string_view idleBecause(const Material& material, std::string_view key) {
     return {};
 }
 
-bool colourSliders(const MaterialField& field, Interface& ui, Vec3& value) {
+bool colourSliders(const MaterialRule& rule, Interface& ui, Vec3& value) {
     // Shown as a screen has it, kept linear.
     const auto toScreen = [](double c) {
         return static_cast<float>(c <= 0.0031308 ? 12.92 * c
@@ -125,29 +124,29 @@ bool colourSliders(const MaterialField& field, Interface& ui, Vec3& value) {
         return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
     };
     float colour[3] = {toScreen(value[0]), toScreen(value[1]), toScreen(value[2])};
-    const std::string name(field.key);
-    ImGui::TextUnformatted(label(field.key).c_str());
+    const std::string name(rule.key);
+    ImGui::TextUnformatted(label(rule.key).c_str());
     ImGui::SetNextItemWidth(-1);
     const bool changed =
         ImGui::ColorEdit3(("###" + name).c_str(), colour, ImGuiColorEditFlags_Float);
     ui.mark(name);
-    ui.tooltip(field.help);
+    ui.tooltip(rule.help);
     if (changed)
         for (int i = 0; i < 3; ++i) value[i] = std::clamp(toLinear(colour[i]), 0., 1.);
     return changed;
 }
 
-bool vectorSliders(const MaterialField& field, Interface& ui, Vec3& value, const Vec3& home,
+bool vectorSliders(const MaterialRule& rule, Interface& ui, Vec3& value, const Vec3& home,
                    bool& letGo, const std::string& help) {
     constexpr const char* kAxes[] = {"x", "y", "z"};
-    ImGui::TextUnformatted(label(field.key).c_str());
+    ImGui::TextUnformatted(label(rule.key).c_str());
     ui.tooltip(help);
     bool changed = false;
     for (int axis = 0; axis < 3; ++axis) {
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("%s", kAxes[axis]);
         ImGui::SameLine(ui.length(18));
-        changed |= drawNumber(field, ui, std::string(field.key) + "." + kAxes[axis], value[axis],
+        changed |= drawNumber(rule, ui, std::string(rule.key) + "." + kAxes[axis], value[axis],
                               home[axis], kUnbounded, help);
         letGo |= ui.letGo();
     }
@@ -155,25 +154,27 @@ bool vectorSliders(const MaterialField& field, Interface& ui, Vec3& value, const
 }
 
 /// True while a field is being changed.
-bool drawField(const MaterialField& field, Interface& ui, MaterialDraft& draft, double carried,
+bool drawField(const MaterialRule& rule, Interface& ui, MaterialDraft& draft, double carried,
                bool& letGo) {
     Material& material = draft.material;
-    const std::string_view idle = idleBecause(material, field.key);
-    std::string help(field.help);
+    const std::string_view idle = idleBecause(material, rule.key);
+    std::string help(rule.help);
     if (!idle.empty()) help += "\n" + std::string(idle);
     ImGui::BeginDisabled(!idle.empty());
     bool changed = false;
-    if (field.vector && field.key.ends_with("colour")) {
-        changed = colourSliders(field, ui, material.*field.vector);
-        letGo |= ui.letGo();
-    } else if (field.vector) {
-        changed =
-            vectorSliders(field, ui, material.*field.vector, draft.home.*field.vector, letGo, help);
-    } else {
-        ImGui::TextUnformatted(label(field.key).c_str());
+    if (const auto* vector = std::get_if<Vec3 Material::*>(&rule.field)) {
+        Vec3& value = material.**vector;
+        if (rule.key.ends_with("colour")) {
+            changed = colourSliders(rule, ui, value);
+            letGo |= ui.letGo();
+        } else {
+            changed = vectorSliders(rule, ui, value, draft.home.**vector, letGo, help);
+        }
+    } else if (const auto* scalar = std::get_if<double Material::*>(&rule.field)) {
+        ImGui::TextUnformatted(label(rule.key).c_str());
         ui.tooltip(help);
-        changed = drawNumber(field, ui, std::string(field.key), material.*field.scalar,
-                             draft.home.*field.scalar, carried, help);
+        changed = drawNumber(rule, ui, std::string(rule.key), material.**scalar,
+                             draft.home.**scalar, carried, help);
         letGo |= ui.letGo();
     }
     ImGui::EndDisabled();
@@ -283,9 +284,9 @@ bool drawChoiceOfMaterial(Session& session, Interface& ui, MaterialDraft& draft)
 
 bool drawFields(Session& session, Interface& ui, MaterialDraft& draft) {
     bool changed = false, open = false, done = false;
-    for (const MaterialField& field : materialFields()) {
+    for (const MaterialRule& rule : materialRules()) {
         for (const auto& [first, title] : kGroups) {
-            if (field.key != first) continue;
+            if (rule.key != first) continue;
             open = ImGui::CollapsingHeader(title, first == "young_modulus"
                                                       ? ImGuiTreeNodeFlags_DefaultOpen
                                                       : ImGuiTreeNodeFlags_None);
@@ -294,9 +295,9 @@ bool drawFields(Session& session, Interface& ui, MaterialDraft& draft) {
         }
         if (!open) continue;
         const double carried =
-            field.key == "young_modulus" ? carriedStiffness(session, draft.index) : kUnbounded;
-        changed |= drawField(field, ui, draft, carried, done);
-        if (field.key == "young_modulus") drawLimit(session, draft.index);
+            rule.key == "young_modulus" ? carriedStiffness(session, draft.index) : kUnbounded;
+        changed |= drawField(rule, ui, draft, carried, done);
+        if (rule.key == "young_modulus") drawLimit(session, draft.index);
     }
     draft.age += ImGui::GetIO().DeltaTime;
     const bool live = changed && session.buildTime() < kLive && draft.age > 2 * session.buildTime();

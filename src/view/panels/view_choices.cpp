@@ -84,9 +84,9 @@ void drawViewChoices(Session& session, Interface& ui, double& letters) {
 
     // Letters grow when the mouse lets go, or the slider would run away under it.
     if (!ImGui::IsAnyItemActive()) letters = settings.interfaceScale;
-    ui.label("Letters", "Size of letters, and of all around them");
-    ui.slider("interface_scale", letters, {0.5, 4}, "x",
-              "Size of letters, and of all around them.");
+    const core::Rule<Settings>& rule = *core::findRule(settingsRules(), "interface_scale");
+    ui.label("Letters", rule.help);
+    ui.slider("interface_scale", letters, {rule.range.min, rule.range.max}, "x", rule.help);
     if (ui.letGo()) settings.interfaceScale = letters;
 }
 

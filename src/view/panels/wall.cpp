@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/rules.hpp"
 #include "view/panels/panels.hpp"
 
 namespace sunder::view {
@@ -25,7 +26,8 @@ void resize(BodyDescription& body, const Vec3& size, const IVec3& cells) {
     for (RegionDescription& region : body.regions)
         for (int axis = 0; axis < 3; ++axis) {
             const auto scaled = [&](int cell) {
-                return std::min(cell * cells[axis] / body.cells[axis], cells[axis] - 1);
+                const std::int64_t wanted = std::int64_t{cell} * cells[axis] / body.cells[axis];
+                return static_cast<int>(std::min<std::int64_t>(wanted, cells[axis] - 1));
             };
             region.from[axis] = scaled(region.from[axis]);
             region.to[axis] = std::max(scaled(region.to[axis]), region.from[axis]);
@@ -85,14 +87,15 @@ void drawWall(Session& session, Interface& ui, WallDraft& draft) {
         take(draft, scene, std::min(draft.body, static_cast<int>(scene.world.bodies.size()) - 1));
     ui.heading("A new wall");
     drawBodies(draft, scene, ui);
-    const double least = 0.01, most = 100;
+    const Range& sizes = findRule(bodyRules(), "size")->range;
     ImGui::TextUnformatted("Size: wide, high, thick (m)");
     ImGui::SetNextItemWidth(-1);
-    ImGui::DragScalarN("###size", ImGuiDataType_Double, draft.size.data(), 3, 0.02f, &least, &most,
-                       "%.3g m", ImGuiSliderFlags_AlwaysClamp);
+    ImGui::DragScalarN("###size", ImGuiDataType_Double, draft.size.data(), 3, 0.02f, &sizes.min,
+                       &sizes.max, "%.3g m", ImGuiSliderFlags_AlwaysClamp);
     ui.mark("size");
     ui.tooltip("Drag, or Ctrl and click to type.");
-    const int fewest = 1, cellsMost = 500;
+    const Range& counts = findRule(bodyRules(), "cells")->range;
+    const int fewest = static_cast<int>(counts.min), cellsMost = static_cast<int>(counts.max);
     ImGui::TextUnformatted("Cells: wide, high, thick");
     ImGui::SetNextItemWidth(-1);
     ImGui::DragScalarN("###cells", ImGuiDataType_S32, draft.cells.data(), 3, 0.2f, &fewest,
@@ -105,9 +108,8 @@ void drawWall(Session& session, Interface& ui, WallDraft& draft) {
     ui.mark("seed");
     ui.tooltip("Another number is another wall of the same kind: it breaks elsewhere.");
     const Vec3 cell = draft.size.cwiseQuotient(draft.cells.cast<double>());
-    ImGui::TextDisabled(
-        "%.3g x %.3g x %.3g m a cell, %lld tetrahedra", cell[0], cell[1], cell[2],
-        static_cast<long long>(5LL * draft.cells[0] * draft.cells[1] * draft.cells[2]));
+    ImGui::TextDisabled("%.3g x %.3g x %.3g m a cell, %.0f tetrahedra", cell[0], cell[1], cell[2],
+                        kTetrahedraPerCell * draft.cells.cast<double>().prod());
     if (ui.button("build", "Build", "Builds the wall anew.")) {
         scene::Scene next = scene;
         resize(next.world.bodies[draft.body], draft.size, draft.cells);

@@ -1,4 +1,4 @@
-#include "scene/wording.hpp"
+#include "core/wording.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace sunder::scene {
+namespace sunder::core {
 namespace {
 
 struct CodePoint {
@@ -110,7 +110,8 @@ std::string inQuotes(std::string_view text) {
 }
 
 std::string formatNumber(double value) {
-    if (value == 0) return "0";  // TOML reads "-0" as an integer, which has no sign
+    if (value == 0) return "0";           // TOML reads "-0" as an integer, which has no sign
+    if (std::isnan(value)) return "nan";  // whatever its sign
     char buffer[64];
     const double size = std::abs(value);
     const bool plain = size >= 1e-4 && size < 1e7;
@@ -120,6 +121,30 @@ std::string formatNumber(double value) {
     // "1e+12" reads better as "1e12".
     if (const auto plus = text.find("e+"); plus != std::string::npos) text.erase(plus + 1, 1);
     return text;
+}
+
+std::string component(std::string_view key, int index) {
+    return std::string(key) + ": number " + std::to_string(index + 1);
+}
+
+std::string called(std::string_view kind, std::string_view name, std::size_t index) {
+    return std::string(kind) + " " + (name.empty() ? std::to_string(index + 1) : inQuotes(name));
+}
+
+std::string lineProblem(std::string_view key, std::string_view text, std::size_t maxCharacters) {
+    const std::string must = std::string(key) + " must ", but = ", not the text " + inQuotes(text);
+    if (text.empty()) return must + "not be empty";
+    if (text.size() > maxCharacters)
+        return must + "be at most " + std::to_string(maxCharacters) + " characters long" + but;
+    const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
+    if (std::any_of(text.begin(), text.end(), isControl))
+        return must + "be one line without control characters" + but;
+    while (!text.empty()) {
+        const std::size_t bytes = decode(text).bytes;
+        if (bytes == 0) return must + "be valid UTF-8" + but;
+        text.remove_prefix(bytes);
+    }
+    return {};
 }
 
 std::string joined(std::span<const std::string> names) {
@@ -136,4 +161,4 @@ std::string suggestion(std::string_view name, std::span<const std::string_view> 
     return suggestionAmong(name, candidates);
 }
 
-}  // namespace sunder::scene
+}  // namespace sunder::core
