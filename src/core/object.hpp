@@ -17,31 +17,35 @@ enum class ObjectShape { Sphere, Box, Capsule };
 struct ObjectDescription {
     std::string name;
     ObjectShape shape = ObjectShape::Sphere;
-    /// m: half the edges of a box. Sphere: the radius, three times. Capsule: radius, half of the
-    /// whole length along its y axis, radius.
+    /// m: half the edges of a box, each 0.0005 to 500. Sphere: the radius, 0.001 to 1000, three
+    /// times. Capsule: radius, half of the whole length along its y axis (radius to 1000), radius.
     Vec3 halfSize{0.1, 0.1, 0.1};
-    double mass = 1;               ///< kg
-    std::optional<Vec3> position;  ///< m, of its centre; none: not there until it is thrown
-    Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
-    Vec3 velocity{0, 0, 0};         ///< m/s
-    Vec3 spin{0, 0, 0};             ///< rad/s, about the world's axes
-    double friction = 0.5;          ///< Coulomb μ, 1; with a material or another object: the mean
-    double restitution = 0.3;       ///< e, 1, 0 to 1; likewise
-    double drag = 0.05;             ///< 1/s, of motion and spin
-    bool fixed = false;             ///< an obstacle: never moves
-    std::optional<Vec3> hungFrom;   ///< m: on a chain from here, as long as the way there at first
-    Vec3 colour{0.25, 0.25, 0.28};  ///< linear RGB
+    double mass = 1;  ///< kg, 1e-6 to 1e9
+    /// m, of its centre, each −1e4 to 1e4. None: not there until it is thrown; then it has no
+    /// velocity, spin or chain, and is not fixed.
+    std::optional<Vec3> position;
+    Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< of length 1
+    Vec3 velocity{0, 0, 0};                                           ///< m/s, each −1e4 to 1e4
+    Vec3 spin{0, 0, 0};     ///< rad/s, about the world's axes, each −1e4 to 1e4
+    double friction = 0.5;  ///< Coulomb μ, 1, 0 to 10; with a material or other object: the mean
+    double restitution = 0.3;  ///< e, 1, 0 to 1; likewise
+    double drag = 0.05;        ///< 1/s, 0 to 1000, of motion and spin
+    bool fixed = false;        ///< an obstacle: never moves, has no velocity, spin or chain
+    /// m, each −1e4 to 1e4: on a chain from here, as long as the way there at first, at least
+    /// 0.001.
+    std::optional<Vec3> hungFrom;
+    Vec3 colour{0.25, 0.25, 0.28};  ///< linear RGB, each 0 to 1
     bool mayOverlap = false;        ///< when the world begins (core/overlap.hpp)
     std::string where;  ///< for error messages, for example "balls.toml:9: object 1: position"
 };
 
 /// Puts an object somewhere and gives it a velocity.
 struct ThrowDescription {
-    double time = 0;  ///< s
-    int object = 0;
-    Vec3 from{0, 0, 0};      ///< m, of its centre
-    Vec3 velocity{0, 0, 0};  ///< m/s
-    Vec3 spin{0, 0, 0};      ///< rad/s
+    double time = 0;         ///< s, 0 to 1e5
+    int object = 0;          ///< index into WorldDescription::objects; neither fixed nor on a chain
+    Vec3 from{0, 0, 0};      ///< m, of its centre, each −1e4 to 1e4
+    Vec3 velocity{0, 0, 0};  ///< m/s, each −1e4 to 1e4
+    Vec3 spin{0, 0, 0};      ///< rad/s, each −1e4 to 1e4
 };
 
 /// An object as the solvers see it: all points within `radius` of a box, its core, around its

@@ -38,10 +38,11 @@ void readRoom(const TableReader& root, WorldDescription& world) {
     const auto table = root.table("room", {"x", "z", "friction", "ceiling"});
     if (!table) return;
     RoomDescription& room = world.room.emplace();
-    for (const char* key : {"x", "z"})
-        table->require(key, "[low, high] in m, where the walls stand");
     room.friction = world.groundFriction;
-    table->read(roomRules(), room);
+    for (const Rule<RoomDescription>& rule : roomRules()) {
+        if (rule.count() == 2) table->require(rule.key, "[low, high] in m, where the walls stand");
+        table->read(rule, room);
+    }
 }
 
 void readContact(const TableReader& root, WorldDescription& world) {

@@ -13,7 +13,6 @@ namespace {
 
 BodyDescription pane(double x, double z) {
     BodyDescription body;
-    body.name = "pane";
     body.size = {1.2, 1, 0.02};
     body.cells = {12, 10, 1};
     body.position = {x, 0, z};

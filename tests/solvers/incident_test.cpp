@@ -209,7 +209,6 @@ TEST_CASE("two cells that collide are a contact each, with the momentum they exc
 TEST_CASE("a cell that an object hits is a contact with the object") {
     WorldDescription d = singleCells({{0, 0, 0}, {2, 0, 0}});
     ObjectDescription ball;
-    ball.name = "ball";
     ball.halfSize.setConstant(0.1);
     ball.mass = 0.5;
     ball.drag = 0;

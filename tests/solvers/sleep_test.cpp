@@ -116,7 +116,6 @@ namespace {
 ObjectDescription movable(ObjectShape shape, const Vec3& halfSize, double mass,
                           const Vec3& position, const Vec3& velocity = Vec3::Zero()) {
     ObjectDescription object;
-    object.name = "object";
     object.shape = shape;
     object.halfSize = halfSize;
     object.mass = mass;

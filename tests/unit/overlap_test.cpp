@@ -64,6 +64,8 @@ WorldDescription worldOf(std::vector<BodyDescription> bodies,
     for (std::size_t i = 0; i < d.bodies.size(); ++i)
         d.bodies[i].name += " " + std::to_string(i + 1);
     d.objects = std::move(objects);
+    for (std::size_t i = 0; i < d.objects.size(); ++i)
+        d.objects[i].name += " " + std::to_string(i + 1);
     d.ground = d.contact = true;
     return d;
 }
@@ -232,20 +234,20 @@ TEST_CASE("what is in something when the world begins is refused: who, in what, 
     check(worldOf({cube({0, 0, 0}), cube({0.15, 0.01, 0})}),
           {"body 'cube 2' and body 'cube 1' overlap by 0.05 m"});
     check(worldOf({cube({0, 0, 0})}, {sphere({3, -3, 0})}),
-          {"object 'ball' reaches 3.1 m below the ground"});
+          {"object 'ball 1' reaches 3.1 m below the ground"});
     check(worldOf({cube({0, 0, 0})}, {sphere({0.15, 0.1, 0})}),
-          {"object 'ball' and body 'cube 1' overlap by 0.05 m"});
+          {"object 'ball 1' and body 'cube 1' overlap by 0.05 m"});
     check(worldOf({cube({0, 0, 0})}, {sphere({3, 1, 0}), sphere({3.09, 1.12, 0})}),
-          {"object 'ball' and object 'ball' overlap by 0.05 m"});
+          {"object 'ball 2' and object 'ball 1' overlap by 0.05 m"});
     WorldDescription room = worldOf({cube({0, 0, 0})}, {sphere({0, 1, 0})});
     room.room = RoomDescription{{-2, 2}, {-1, 1}, 0.5, 1.5};
     CHECK(refusal(room).empty());
     room.objects[0].position = Vec3(-2.4, 1, 0);
-    check(room, {"object 'ball' reaches 0.5 m beyond the room's wall at x = -2 m"});
+    check(room, {"object 'ball 1' reaches 0.5 m beyond the room's wall at x = -2 m"});
     room.objects[0].position = Vec3(0, 1, 0.95);
-    check(room, {"object 'ball' reaches 0.05 m beyond the room's wall at z = 1 m"});
+    check(room, {"object 'ball 1' reaches 0.05 m beyond the room's wall at z = 1 m"});
     room.objects[0].position = Vec3(0, 2, 0);
-    check(room, {"object 'ball' reaches 0.6 m above the room's ceiling at 1.5 m"});
+    check(room, {"object 'ball 1' reaches 0.6 m above the room's ceiling at 1.5 m"});
     room.objects.clear();
     room.bodies[0].position = {1.95, 0, 0};
     check(room, {"body 'cube 1' reaches 0.05 m beyond the room's wall at x = 2 m"});
@@ -256,11 +258,11 @@ TEST_CASE("what is in something when the world begins is refused: who, in what, 
     lying.objects[0].orientation = Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ());
     CHECK(refusal(lying).empty());
     lying.objects[0].orientation.setIdentity();
-    check(lying, {"object 'ball' reaches 0.15 m below the ground"});
+    check(lying, {"object 'ball 1' reaches 0.15 m below the ground"});
     // A fixed object and a body; two that are fixed, or one and the ground, do not touch.
     WorldDescription fixed = worldOf({cube({0, 0, 0})}, {sphere({0, 0, 0}), sphere({0, 0, 0.05})});
     for (ObjectDescription& object : fixed.objects) object.fixed = true;
-    check(fixed, {"object 'ball' and body 'cube 1' overlap by 0."});
+    check(fixed, {"object 'ball 1' and body 'cube 1' overlap by 0."});
     fixed.bodies[0].position = {1, 0, 0};
     CHECK(refusal(fixed).empty());
 }

@@ -221,6 +221,7 @@ TEST_CASE("what a world cannot be becomes one sentence") {
     empty.bodies[0].regions = {{{0, 0, 0}, {1, 1, 1}, -1}};
     CHECK_THROWS_WITH(World(empty), Catch::Contains("no cells left"));
     WorldDescription miss = block({2, 2, 2}, softElastic());
+    miss.bodies[0].name = "block";
     EventDescription event;
     event.where = "walls.toml:9: event 1";
     event.point = {5, 0, 0};
