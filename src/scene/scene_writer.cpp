@@ -69,14 +69,15 @@ std::vector<std::string> numbered(std::vector<std::string> names) {
     return names;
 }
 
-/// A name for each material that a scene may give it: its own, unless it is a path.
+/// A name for each material that a scene may give it: its own, unless it is a path or too long.
 std::vector<std::string> namesFor(const std::vector<Material>& materials) {
     std::vector<std::string> names;
     for (const Material& material : materials) {
         std::string name;
-        for (const char c : material.name)
+        for (const char c : printable(material.name, kMaxName))
             name += c == '/' || c == '\\' || c == '.' || c == '"' ? '-' : c;
-        names.push_back(name.empty() ? "material" : name);
+        constexpr std::size_t kMostDigits = 5;
+        names.push_back(name.empty() || name.size() + kMostDigits > kMaxName ? "material" : name);
     }
     return numbered(std::move(names));
 }
@@ -231,5 +232,6 @@ std::string writeScene(const Scene& scene) {
 }
 
 }  // namespace sunder::scene
+#include "core/limits.hpp"
 #include "core/names.hpp"
 #include "core/wording.hpp"

@@ -1,9 +1,9 @@
 // Worlds described in code, by arbitrary numbers: refused in a sentence, or laid out and simulated
 // for a few steps.
 //
-// A world of one of everything to begin with, and a list of changes, nine bytes each: which struct,
-// which of its rules, which number, and what becomes of it. The number is the eight bytes that
-// follow as a double or, more often, something that is in the rule's range or at one of its ends.
+// The input is a list of changes to a world of one body: which struct, which of its rules or other
+// members, which number, and what becomes of it: any double, a small number, or an end of the
+// rule's range.
 #include <algorithm>
 #include <cstring>
 #include <limits>
