@@ -101,11 +101,11 @@ struct BodyArrays {
     int place(int x, int y, int z) const { return x * steps[0] + y * steps[1] + z * steps[2]; }
     /// Lattice coordinates of the cell at a place.
     core::IVec3 coordinates(int place) const {
-        const int slow = steps[2] > steps[1] ? 2 : 1, middle = 3 - slow;
+        const int slowest = steps[2] > steps[1] ? 2 : 1, middle = 3 - slowest;
         core::IVec3 c;
-        c[slow] = place / steps[slow];
-        c[middle] = place % steps[slow] / steps[middle];
-        c[0] = place % steps[slow] % steps[middle];
+        c[slowest] = place / steps[slowest];
+        c[middle] = place % steps[slowest] / steps[middle];
+        c[0] = place % steps[slowest] % steps[middle];
         return c;
     }
 };

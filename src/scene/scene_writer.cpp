@@ -162,6 +162,8 @@ void addObject(Writer& out, const ObjectDescription& object, const std::string& 
 void addEvents(Writer& out, const WorldDescription& world, const std::vector<std::string>& bodies,
                const std::vector<std::string>& objects) {
     for (const EventDescription& event : world.events) {
+        if (event.body == kEveryBody)
+            throw InputError("a scene file holds no events of every body; leave them out");
         out.heading("[[event]]");
         out.add("time", event.time);
         out.add("duration", event.duration);
@@ -232,6 +234,7 @@ std::string writeScene(const Scene& scene) {
 }
 
 }  // namespace sunder::scene
+#include "core/event.hpp"
 #include "core/limits.hpp"
 #include "core/names.hpp"
 #include "core/wording.hpp"

@@ -11,6 +11,7 @@
 
 #include "core/check.hpp"
 #include "core/diagnostics.hpp"
+#include "core/event.hpp"
 #include "core/limits.hpp"
 #include "core/world.hpp"
 #include "cpu/cpu_solver.hpp"
@@ -165,9 +166,15 @@ void changeBody(BodyDescription& body, Bytes& bytes) {
 }
 
 void changeEvent(EventDescription& event, Bytes& bytes) {
-    switch (bytes.below(4)) {
+    switch (bytes.below(8)) {
         case 0:
             event.body = index(bytes);
+            break;
+        case 2:
+            event.falloff = bytes.below(2) == 1;
+            break;
+        case 3:
+            change(blastRules(), event, bytes);
             break;
         case 1:
             event.kind = choice<EventDescription::Kind>(bytes);
@@ -292,9 +299,12 @@ void simulate(const WorldDescription& description) {
     diagnose(world, solver.state());
 }
 
-/// What a world may be, a file may say, too.
+/// What a world may be, a file may say, too, but for blasts and half of the seeds.
 void writeAndRead(const WorldDescription& world) {
-    if (world.seed > std::uint64_t{std::numeric_limits<std::int64_t>::max()}) return;
+    if (world.seed > std::uint64_t{std::numeric_limits<std::int64_t>::max()} ||
+        std::any_of(world.events.begin(), world.events.end(),
+                    [](const EventDescription& event) { return event.body == kEveryBody; }))
+        return;
     scene::Scene scene;
     scene.title = "written";
     scene.world = world;

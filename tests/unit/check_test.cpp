@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "core/event.hpp"
 #include "core/limits.hpp"
 #include "core/world.hpp"
 #include "support/object_worlds.hpp"
@@ -102,12 +103,26 @@ TEST_CASE("a mistake in a world becomes one sentence") {
              d.bodies[0].regions = {{{0, 0, 0}, {0, 0, 0}, -2}};
          },
          "not -2"},
-        {[](auto& d) { d.events[0].body = -1; },
-         "event 1: body must be the index of one of the 1 bodies, counted from 0, not -1"},
+        {[](auto& d) { d.events[0].body = -2; },
+         "event 1: body must be -1 or the index of one of the 1 bodies, counted from 0, not -2"},
         {[](auto& d) { d.events[0].body = kMost; }, "not 2147483647"},
         {[](auto& d) { d.throws[0].object = 1; },
          "throw 1: object must be the index of one of the 1 objects, counted from 0, not 1"},
         {[](auto& d) { d.objects.clear(); }, "throw 1: object must be the index of one of the 0"},
+        // Events of every body.
+        {[](auto& d) {
+             d.events[0].body = kEveryBody;
+             d.events[0].kind = EventDescription::Kind::Force;
+         },
+         "event 1: an event of every body must be of the kind velocity"},
+        {[](auto& d) { d.events[0].falloff = true; },
+         "event 1: only an event of every body has falloff; leave it out, or give no body"},
+        {[](auto& d) { d.events[0].outward = 1; }, "event 1: only an event of every body has"},
+        {[](auto& d) {
+             d.events[0].body = kEveryBody;
+             d.events[0].outward = std::nan("");
+         },
+         "event 1: outward must be from -1e12 to 1e12 m/s, not nan"},
         // Regions.
         {[](auto& d) {
              d.bodies[0].regions = {{{0, 0, 0}, {0, 0, 0}, 0}, {{0, 2, 0}, {0, 2, 0}}};
@@ -213,6 +228,32 @@ TEST_CASE("a mistake in a world becomes one sentence") {
         mistake(d);
         checkParts(refusal(d), {part});
     }
+}
+
+TEST_CASE("an event that is given while time runs is checked as one of the world is") {
+    const World world(described());
+    EventDescription event = hit(0, {0, 0.1, 0}, {0, 0, -1});
+    const auto refusal = [&] { return messageOf([&] { world.makeEvent(event); }); };
+    event.time = 1e9;  // a game may run for years
+    CHECK(refusal() == "");
+    event.body = 1;
+    CHECK(refusal() ==
+          "the event: body must be -1 or the index of one of the 1 bodies, counted from 0, not 1");
+    event.body = kEveryBody;
+    CHECK(refusal() == "");
+    for (const double time : {-1.0, 1e11, std::nan("")}) {
+        event.time = time;
+        CHECK(refusal().starts_with("the event: time must be from 0 to 1e10 s, not "));
+    }
+    event.time = 0;
+    event.radius = 0;
+    CHECK(refusal().starts_with("the event: radius must be greater than 0"));
+    event.radius = 1;
+    event.vector[1] = std::nan("");
+    event.where = "push";
+    CHECK(refusal().starts_with("push: vector: number 2 must be from -1e12 to 1e12 m/s, not nan"));
+    event = hit(0, {9, 0, 0}, {0, 0, -1});
+    CHECK(refusal().starts_with("the event: no free node of body 'wall' lies within radius"));
 }
 
 TEST_CASE("names may be left out, and as long as they may be") {

@@ -205,6 +205,7 @@ TEST_CASE("Every rule says what it is about", "[rules]") {
     tryAll(bodyRules());
     tryAll(regionRules());
     tryAll(eventRules(EventDescription::Kind::Force));
+    tryAll(blastRules());
     tryAll(objectRules());
     tryAll(shapeRules(ObjectShape::Sphere));
     tryAll(shapeRules(ObjectShape::Box));
