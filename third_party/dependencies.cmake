@@ -14,18 +14,28 @@ find_path(STB_INCLUDE_DIR stb_image_write.h PATH_SUFFIXES stb REQUIRED)
 add_library(sunder_stb INTERFACE)
 target_include_directories(sunder_stb SYSTEM INTERFACE ${STB_INCLUDE_DIR})
 
-# glad: OpenGL 4.1 core and the extensions that tell of errors and of a lost context, generated at build time by the `glad` tool
-# (Debian: python3-glad; elsewhere: the Python package glad2). Without --reproducible it would fetch the specification from the
-# network.
+# glad: OpenGL 4.1 core, generated at build time by the `glad` tool (Debian: python3-glad; elsewhere: the Python package glad2).
+# A table of functions for each context (--mx), none of the process. Without --reproducible it would fetch the specification from
+# the network. The extensions are those that tell of errors and of a lost context, and those whose state a host may have set so
+# that OpenGL 4.1's own draws come out differently (src/gl/guest_state.cpp); Sunder computes without any of them.
+set(SUNDER_GL_EXTENSIONS
+  GL_KHR_debug GL_KHR_robustness GL_ARB_robustness
+  GL_ARB_clip_control GL_ARB_ES3_compatibility GL_ARB_polygon_offset_clamp GL_ARB_query_buffer_object
+  GL_EXT_depth_bounds_test GL_EXT_raster_multisample GL_EXT_window_rectangles
+  GL_INTEL_conservative_rasterization GL_NV_conservative_raster GL_NV_fragment_coverage_to_color
+  GL_NV_representative_fragment_test GL_NV_scissor_exclusive GL_NV_shading_rate_image GL_NV_viewport_swizzle)
 find_program(GLAD_EXECUTABLE glad REQUIRED)
 set(glad_dir ${CMAKE_BINARY_DIR}/glad)
+list(JOIN SUNDER_GL_EXTENSIONS "," gl_extensions)
 add_custom_command(
-  OUTPUT ${glad_dir}/src/gl.c ${glad_dir}/include/glad/gl.h
-  COMMAND ${GLAD_EXECUTABLE} --api gl:core=4.1
-          --extensions GL_KHR_debug,GL_KHR_robustness,GL_ARB_robustness --reproducible --quiet --out-path ${glad_dir} c
+  OUTPUT ${glad_dir}/src/gl.c ${glad_dir}/include/glad/gl.h ${glad_dir}/include/glad/calls.h
+  COMMAND ${GLAD_EXECUTABLE} --api gl:core=4.1 --extensions ${gl_extensions} --reproducible --quiet --out-path ${glad_dir} c --mx
+  COMMAND ${CMAKE_COMMAND} -Dheader=${glad_dir}/include/glad/gl.h -Dcalls=${glad_dir}/include/glad/calls.h
+          -P ${PROJECT_SOURCE_DIR}/tools/cmake/gl_calls.cmake
+  DEPENDS ${PROJECT_SOURCE_DIR}/tools/cmake/gl_calls.cmake
   COMMENT "Generating glad (OpenGL 4.1 core)"
   VERBATIM)
-add_library(sunder_glad STATIC ${glad_dir}/src/gl.c)
+add_library(sunder_glad STATIC ${glad_dir}/src/gl.c ${glad_dir}/include/glad/calls.h)
 target_include_directories(sunder_glad SYSTEM PUBLIC ${glad_dir}/include)
 
 find_package(glfw3 3.3 REQUIRED) # windows

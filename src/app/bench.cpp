@@ -15,8 +15,8 @@
 #include "app/output_path.hpp"
 #include "app/path_option.hpp"
 #include "files/write_file.hpp"
-#include "gl/context.hpp"
 #include "sim_gl/solvers.hpp"
+#include "window/context.hpp"
 
 namespace sunder::app {
 

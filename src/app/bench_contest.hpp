@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "app/bench_result.hpp"
-#include "gl/context.hpp"
+#include "window/context.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene.hpp"
 #include "sim/simulation.hpp"

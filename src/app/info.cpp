@@ -4,7 +4,7 @@
 
 #include "app/commands.hpp"
 #include "files/write_file.hpp"
-#include "gl/context.hpp"
+#include "window/context.hpp"
 
 namespace sunder::app {
 

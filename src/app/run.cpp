@@ -17,7 +17,7 @@
 #include "files/held_signals.hpp"
 #include "files/utf8_path.hpp"
 #include "files/write_file.hpp"
-#include "gl/context.hpp"
+#include "window/context.hpp"
 #include "image/image.hpp"
 #include "render/legend.hpp"
 #include "scene/limit_warnings.hpp"

@@ -9,8 +9,8 @@ namespace sunder::gl {
 using namespace core;
 
 bool contextLost() {
-    if (GLAD_GL_KHR_robustness) return glGetGraphicsResetStatus() != GL_NO_ERROR;
-    if (GLAD_GL_ARB_robustness) return glGetGraphicsResetStatusARB() != GL_NO_ERROR;
+    if (functions().KHR_robustness) return glGetGraphicsResetStatus() != GL_NO_ERROR;
+    if (functions().ARB_robustness) return glGetGraphicsResetStatusARB() != GL_NO_ERROR;
     return false;
 }
 

@@ -4,12 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <unordered_map>
 
 #include "core/memory.hpp"
 #include "core/types.hpp"
-#include "gl/context.hpp"
 #include "gl/device_failure.hpp"
+#include "gl/driver.hpp"
 #include "gl/error_name.hpp"
 #include "gl/pixel_format.hpp"
 
@@ -19,11 +18,13 @@ using namespace core;
 
 namespace {
 
-/// While it lives, the debug callback stays silent: the errors of one allocation become an
-/// exception here instead.
+/// While it lives, Sunder's debug callback stays silent: the errors of one allocation become an
+/// exception here instead. A host's hears of them.
 class QuietDebug {
   public:
-    QuietDebug() : wasOn_(GLAD_GL_KHR_debug && glIsEnabled(GL_DEBUG_OUTPUT)) {
+    QuietDebug()
+        : wasOn_(Driver::current()->owner() == Driver::Owner::Sunder && functions().KHR_debug &&
+                 glIsEnabled(GL_DEBUG_OUTPUT)) {
         if (wasOn_) glDisable(GL_DEBUG_OUTPUT);
     }
     ~QuietDebug() {
@@ -36,9 +37,8 @@ class QuietDebug {
     bool wasOn_;
 };
 
-std::string renderer() {
-    const GLubyte* name = glGetString(GL_RENDERER);
-    return name ? reinterpret_cast<const char*>(name) : "this device";
+const std::string& renderer() {
+    return Driver::current()->info().renderer;
 }
 
 std::string withSize(const char* what, double bytes) {
@@ -54,18 +54,24 @@ double softwareMemory() {
 }
 
 /// Runs an allocation. Throws InputError when the device has no memory for it, ContextError when it
-/// is lost.
-template <class Call>
-void allocate(const char* what, double bytes, Call call) {
-    if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
+/// is lost. `succeeded` tells, afterwards, where glGetError is not to be asked.
+template <class Call, class Succeeded>
+void allocate(const char* what, double bytes, Call call, Succeeded succeeded) {
+    const bool asks = Driver::current()->asksErrors();
+    if (const GLenum error = asks ? glGetError() : GL_NO_ERROR; error != GL_NO_ERROR) {
         throwIfFatal(error);
         throw std::runtime_error("OpenGL: " + errorName(error) + " before the " + what +
                                  " was created");
     }
-    if (isSoftware(renderer()) && static_cast<double>(allocatedBytes()) + bytes > softwareMemory())
+    if (Driver::current()->info().software &&
+        static_cast<double>(allocatedBytes()) + bytes > softwareMemory())
         failMemory(withSize(what, bytes));
     const QuietDebug quiet;
     call();
+    if (!asks) {
+        if (!succeeded()) failMemory(withSize(what, bytes));
+        return;
+    }
     const GLenum error = glGetError();
     if (error == GL_OUT_OF_MEMORY) failMemory(withSize(what, bytes));
     throwIfFatal(error);
@@ -73,65 +79,37 @@ void allocate(const char* what, double bytes, Call call) {
         throw std::runtime_error("OpenGL: " + errorName(error) + " creating the " + what);
 }
 
-/// Sizes of what is alive, by name. Contexts live one at a time and outlive their objects, so names
-/// are unique.
-class Allocations {
-  public:
-    void add(GLuint id, std::size_t bytes) {
-        remove(id);
-        sizes_[id] = bytes;
-        total_ += bytes;
-    }
-    void remove(GLuint id) {
-        const auto found = sizes_.find(id);
-        if (found == sizes_.end()) return;
-        total_ -= found->second;
-        sizes_.erase(found);
-    }
-    std::size_t total() const { return total_; }
-
-  private:
-    std::unordered_map<GLuint, std::size_t> sizes_;
-    std::size_t total_ = 0;
-};
-
-Allocations& bufferAllocations() {
-    static Allocations allocations;
-    return allocations;
-}
-Allocations& textureAllocations() {
-    static Allocations allocations;
-    return allocations;
-}
-
 }  // namespace
 
 std::size_t allocatedBytes() {
-    return bufferAllocations().total() + textureAllocations().total();
+    const Driver* driver = Driver::current();
+    return driver ? driver->buffers.total() + driver->textures.total() : 0;
 }
 
 void deleteBuffer(GLuint id) {
-    bufferAllocations().remove(id);
+    if (!Driver::current()) return;
+    Driver::current()->buffers.remove(id);
     glDeleteBuffers(1, &id);
 }
 void deleteTexture(GLuint id) {
-    textureAllocations().remove(id);
+    if (!Driver::current()) return;
+    Driver::current()->textures.remove(id);
     glDeleteTextures(1, &id);
 }
 void deleteFramebuffer(GLuint id) {
-    glDeleteFramebuffers(1, &id);
+    if (Driver::current()) glDeleteFramebuffers(1, &id);
 }
 void deleteVertexArray(GLuint id) {
-    glDeleteVertexArrays(1, &id);
+    if (Driver::current()) glDeleteVertexArrays(1, &id);
 }
 void deleteProgram(GLuint id) {
-    glDeleteProgram(id);
+    if (Driver::current()) glDeleteProgram(id);
 }
 void deleteTransformFeedback(GLuint id) {
-    glDeleteTransformFeedbacks(1, &id);
+    if (Driver::current()) glDeleteTransformFeedbacks(1, &id);
 }
 void deleteSampler(GLuint id) {
-    glDeleteSamplers(1, &id);
+    if (Driver::current()) glDeleteSamplers(1, &id);
 }
 
 // The COPY targets: no draw state, nor an element array in a vertex array object, depends on them.
@@ -143,10 +121,15 @@ Buffer::Buffer(std::size_t bytes, const void* data, GLenum usage, const char* wh
     glGenBuffers(1, &id);
     handle_ = Handle<deleteBuffer>(id);
     glBindBuffer(GL_COPY_WRITE_BUFFER, id);
-    allocate(what, static_cast<double>(bytes), [&] {
-        glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), data, usage);
-    });
-    bufferAllocations().add(id, bytes);
+    allocate(
+        what, static_cast<double>(bytes),
+        [&] { glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), data, usage); },
+        [&] {
+            GLint64 size = -1;
+            glGetBufferParameteri64v(GL_COPY_WRITE_BUFFER, GL_BUFFER_SIZE, &size);
+            return size == static_cast<GLint64>(bytes);
+        });
+    Driver::current()->buffers.add(id, bytes);
 }
 
 void Buffer::write(std::size_t offset, std::size_t bytes, const void* data) {
@@ -213,9 +196,8 @@ Texture makeBufferTexture(const Buffer& buffer, GLenum format, const char* what)
     GLuint id = 0;
     glGenTextures(1, &id);
     Texture texture(id);
-    glBindTexture(GL_TEXTURE_BUFFER, id);
+    bindForWork(GL_TEXTURE_BUFFER, texture);
     glTexBuffer(GL_TEXTURE_BUFFER, format, buffer.id());
-    glBindTexture(GL_TEXTURE_BUFFER, 0);
     return texture;
 }
 
@@ -234,17 +216,22 @@ Texture makeTexture(GLenum target, int width, int height, int layers, GLenum for
     GLuint id = 0;
     glGenTextures(1, &id);
     Texture texture(id);
-    glBindTexture(target, id);
+    bindForWork(target, texture);
     const std::size_t bytes = std::size_t{pixel.bytes} * static_cast<std::size_t>(width) *
                               static_cast<std::size_t>(height) * static_cast<std::size_t>(layers);
-    allocate(what, static_cast<double>(bytes), [&] { define(pixel); });
-    textureAllocations().add(id, bytes);
+    allocate(
+        what, static_cast<double>(bytes), [&] { define(pixel); },
+        [&] {
+            GLint there = 0;
+            glGetTexLevelParameteriv(target, 0, GL_TEXTURE_WIDTH, &there);
+            return there == width;
+        });
+    Driver::current()->textures.add(id, bytes);
     glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
     glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glBindTexture(target, 0);
     return texture;
 }
 
@@ -268,7 +255,17 @@ Texture makeTextureArray(int width, int height, int layers, GLenum format, const
 
 void bindTexture(int unit, GLenum target, const Texture& texture) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    Driver::current()->touched.texture(unit, target);
     glBindTexture(target, texture.id());
+}
+
+void bindForWork(GLenum target, const Texture& texture) {
+    bindTexture(kWorkUnit, target, texture);
+}
+
+void bindUniforms(int binding, const Buffer& buffer) {
+    Driver::current()->touched.uniforms(binding);
+    glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(binding), buffer.id());
 }
 
 }  // namespace sunder::gl

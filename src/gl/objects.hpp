@@ -1,5 +1,5 @@
 #pragma once
-#include <glad/gl.h>
+#include "gl/functions.hpp"
 
 #include <cstddef>
 #include <span>
@@ -34,6 +34,7 @@ class Handle {
     GLuint id_ = 0;
 };
 
+// Where no context is current, these do nothing: it took its objects with it.
 void deleteBuffer(GLuint);
 void deleteTexture(GLuint);
 void deleteFramebuffer(GLuint);
@@ -49,8 +50,8 @@ using Sampler = Handle<deleteSampler>;
 /// Remembers how much was captured, so that it can be drawn without asking.
 using TransformFeedback = Handle<deleteTransformFeedback>;
 
-/// Bytes of the buffers and 2D textures made below that are alive: what Sunder asked for, not what
-/// the driver rounds it to.
+/// Bytes of the buffers and 2D textures made below that are alive in the current context: what
+/// Sunder asked for, not what the driver rounds it to.
 std::size_t allocatedBytes();
 
 /// A buffer object of fixed size.
@@ -84,12 +85,11 @@ VertexArray makeVertexArray();
 TransformFeedback makeTransformFeedback();
 Sampler makeSampler();
 /// A view of `buffer` as texels of `format` (GL_RGBA32F, …). Throws InputError, naming `what`, when
-/// the device's GL_MAX_TEXTURE_BUFFER_SIZE is smaller. Leaves the active unit's buffer texture
-/// unbound.
+/// the device's GL_MAX_TEXTURE_BUFFER_SIZE is smaller. Leaves kWorkUnit active.
 Texture makeBufferTexture(const Buffer& buffer, GLenum format, const char* what);
 /// 2D texture, one level, nearest filtering, clamped, contents undefined. Throws InputError, naming
 /// `what`, when a side is not within 1 to GL_MAX_TEXTURE_SIZE or the device has no memory for it.
-/// Leaves the active unit's 2D texture unbound.
+/// Leaves kWorkUnit active.
 Texture makeTexture2D(int width, int height, GLenum format, const char* what);
 /// The same with `layers` layers (a 2D array texture).
 Texture makeTextureArray(int width, int height, int layers, GLenum format, const char* what);
@@ -97,7 +97,16 @@ Texture makeTextureArray(int width, int height, int layers, GLenum format, const
 /// What the device allows at most, such as GL_MAX_TEXTURE_SIZE.
 int limit(GLenum name);
 
-/// Binds a texture to a unit, which becomes the active one.
+/// The unit on which textures are made and written: no sampler reads it, so nothing that a pass has
+/// bound is lost. GL 4.1 has 80.
+inline constexpr int kWorkUnit = 63;
+
+/// Binds a texture to a unit, which becomes the active one. Units are bound by this alone: during a
+/// Visit it first takes note of what the host has there.
 void bindTexture(int unit, GLenum target, const Texture&);
+/// On kWorkUnit.
+void bindForWork(GLenum target, const Texture&);
+/// All of a buffer becomes what uniform blocks with that binding read. Likewise, by this alone.
+void bindUniforms(int binding, const Buffer&);
 
 }  // namespace sunder::gl

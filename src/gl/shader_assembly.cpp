@@ -140,23 +140,6 @@ ShaderSource embeddedShaders() {
     };
 }
 
-namespace {
-
-ShaderSource& sourceInUse() {
-    static ShaderSource source = embeddedShaders();
-    return source;
-}
-
-}  // namespace
-
-const ShaderSource& currentShaders() {
-    return sourceInUse();
-}
-
-void useShaders(ShaderSource source) {
-    sourceInUse() = std::move(source);
-}
-
 std::string assembleShader(const ShaderSource& source, std::string_view name,
                            const Defines& defines, std::vector<std::string>& files) {
     return Assembler(source, files).assemble(name, defines);

@@ -15,8 +15,9 @@ using ShaderSource = std::function<std::optional<std::string>(std::string_view n
 ShaderSource embeddedShaders();
 
 /// Where programs that name no source take their shaders from: embeddedShaders(), unless
-/// useShaders() said otherwise.
+/// useShaders() said otherwise of the context that is current on this thread.
 const ShaderSource& currentShaders();
+/// For the current context, which there must be.
 void useShaders(ShaderSource);
 
 using Defines = std::vector<std::pair<std::string, std::string>>;

@@ -1,5 +1,5 @@
 #pragma once
-#include <glad/gl.h>
+#include "gl/functions.hpp"
 
 #include <vector>
 

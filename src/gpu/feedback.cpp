@@ -54,7 +54,7 @@ void bindWorld(const WorldBuffers& buffers) {
     gl::bindTexture(kRest, GL_TEXTURE_BUFFER, buffers.rest());
     gl::bindTexture(kStrengths, GL_TEXTURE_BUFFER, buffers.strengths());
     gl::bindTexture(kPartings, GL_TEXTURE_BUFFER, buffers.partings());
-    glBindBufferBase(GL_UNIFORM_BUFFER, kLawBinding, buffers.laws().id());
+    gl::bindUniforms(kLawBinding, buffers.laws());
 }
 
 void floatAttribute(GLuint location, int components, std::size_t stride, std::size_t offset) {
@@ -77,6 +77,7 @@ gl::Framebuffer makeTarget(std::initializer_list<const gl::Texture*> textures) {
 Feedback::Feedback()
     : texture_(gl::makeTexture2D(1, 1, GL_RGBA8, "discarded texels")),
       target_(makeTarget({&texture_})),
+      capture_(gl::makeTransformFeedback()),
       noAttributes_(gl::makeVertexArray()) {}
 
 void Feedback::run(const gl::Program& program, std::initializer_list<const gl::Buffer*> targets,
@@ -92,6 +93,8 @@ void Feedback::run(const gl::Program& program, const gl::VertexArray& attributes
     glEnable(GL_RASTERIZER_DISCARD);
     program.use();
     glBindVertexArray(attributes.id());
+    // Not object 0, which a host may be using.
+    glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, capture_.id());
     GLuint index = 0;
     for (const gl::Buffer* target : targets)
         glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, index++, target->id());
@@ -99,6 +102,7 @@ void Feedback::run(const gl::Program& program, const gl::VertexArray& attributes
     glDrawArrays(GL_POINTS, 0, count);
     glEndTransformFeedback();
     while (index > 0) glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, --index, 0);
+    glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
     glDisable(GL_RASTERIZER_DISCARD);
 }
 

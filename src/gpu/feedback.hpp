@@ -75,6 +75,7 @@ class Feedback {
   private:
     gl::Texture texture_;
     gl::Framebuffer target_;
+    gl::TransformFeedback capture_;
     gl::VertexArray noAttributes_;
 };
 

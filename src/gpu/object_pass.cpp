@@ -183,7 +183,6 @@ const gl::Texture& ObjectPass::places() {
 
 void ObjectPass::put(int object, const ObjectState& state, std::int64_t step) {
     const auto texels = texelsOf(world_.objects()[object], state);
-    bind();  // writing unbinds the texture of the active unit: let it be this one
     for (int layer = 0; layer < SUNDER_OBJECT_LAYERS; ++layer)
         motion_[current_].write(layer, object, {&texels[layer], 1});
     known_[object] = state;
@@ -304,7 +303,6 @@ void ObjectPass::setAsleep(const std::vector<int>& objects, bool asleep, std::in
         if (!asleep) continue;
         known_[object].velocity.setZero();
         known_[object].angularMomentum.setZero();
-        bind();
         for (const int layer : {2, 3}) motion_[current_].write(layer, object, {&zero, 1});
     }
     writeSleepers();

@@ -107,7 +107,7 @@ void ScatterSolver::makeTargets() {
     for (int node = 0; node < world_.nodeCount(); ++node)
         if (!world_.anchored(node) && world_.nodeMass(node) > 0)
             texels[node].w = static_cast<float>(1 / world_.nodeMass(node));
-    glBindTexture(GL_TEXTURE_2D, forceTexture_.id());
+    gl::bindForWork(GL_TEXTURE_2D, forceTexture_);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, GL_RGBA, GL_FLOAT, texels.data());
 }
 

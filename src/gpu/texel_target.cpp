@@ -78,7 +78,7 @@ void TexelTarget::fill(const gl::Program& program, const TexelRanges& ranges, in
 }
 
 void TexelTarget::write(int layer, int first, std::span<const vec4> texels) {
-    glBindTexture(GL_TEXTURE_2D_ARRAY, texture_.id());
+    gl::bindForWork(GL_TEXTURE_2D_ARRAY, texture_);
     const vec4* from = texels.data();
     for (const auto& [x0, y0, x1, y1] :
          rectanglesOf({first, first + static_cast<int>(texels.size())}, columns_)) {
@@ -86,7 +86,6 @@ void TexelTarget::write(int layer, int first, std::span<const vec4> texels) {
                         GL_FLOAT, from);
         from += (x1 - x0) * (y1 - y0);
     }
-    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
 }
 
 std::vector<vec4> TexelTarget::read(int layer, TexelRange range) const {

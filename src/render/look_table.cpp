@@ -67,7 +67,7 @@ void LookTable::prepare(const gl::Program& program) {
 }
 
 void LookTable::bind() const {
-    glBindBufferBase(GL_UNIFORM_BUFFER, kBinding, buffer_.id());
+    gl::bindUniforms(kBinding, buffer_);
 }
 
 }  // namespace sunder::render

@@ -36,10 +36,9 @@ gl::Texture makeSamples(int width, int height, int samples, GLenum format) {
     GLuint id = 0;
     glGenTextures(1, &id);
     gl::Texture texture(id);
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, id);
+    gl::bindForWork(GL_TEXTURE_2D_MULTISAMPLE, texture);
     glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, format, width, height, GL_TRUE);
     if (glGetError() == GL_OUT_OF_MEMORY) failSize(width, height);
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
     return texture;
 }
 

@@ -53,7 +53,7 @@ ShadowMap::ShadowMap(const SceneBounds& bounds, bool veiled) {
     size_ = std::min(kMapSize, largest);
 
     depth_ = gl::makeTexture2D(size_, size_, GL_DEPTH_COMPONENT24, "shadow map");
-    glBindTexture(GL_TEXTURE_2D, depth_.id());
+    gl::bindForWork(GL_TEXTURE_2D, depth_);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
@@ -71,7 +71,7 @@ ShadowMap::ShadowMap(const SceneBounds& bounds, bool veiled) {
 
     veilSize_ = veiled ? size_ / 2 : 1;
     veil_ = gl::makeTexture2D(veilSize_, veilSize_, GL_RGBA16F, "shadow map of glass");
-    glBindTexture(GL_TEXTURE_2D, veil_.id());
+    gl::bindForWork(GL_TEXTURE_2D, veil_);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     veilFramebuffer_ = gl::makeFramebuffer();

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "gl/context.hpp"
+#include "gl/device_info.hpp"
 #include "render/uniforms.hpp"
 
 namespace sunder::render {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "gl/window.hpp"
+#include "window/window.hpp"
 
 namespace sunder::view {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "gl/window.hpp"
+#include "window/window.hpp"
 #include "view/clock.hpp"
 #include "view/event_log.hpp"
 #include "view/measurements.hpp"

@@ -4,7 +4,7 @@
 
 #include "catch.hpp"
 #include "command.hpp"
-#include "gl/context.hpp"
+#include "window/context.hpp"
 #include "support/contains.hpp"
 #include "support/test_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include <glad/gl.h>
+#include "gl/functions.hpp"
 
 #include <cstddef>
 #include <string>

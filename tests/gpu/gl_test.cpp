@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "gl/context.hpp"
+#include "window/context.hpp"
 #include "gl/objects.hpp"
 #include "gl/program.hpp"
 #include "support/contains.hpp"

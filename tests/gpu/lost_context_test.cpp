@@ -1,6 +1,6 @@
 // Losing a context cannot be provoked with Mesa's software driver: here functions of GL say that it
 // was.
-#include <glad/gl.h>
+#include "gl/functions.hpp"
 
 #include <optional>
 #include <string>
@@ -60,28 +60,28 @@ TEST_CASE(
     const auto context = gl::createHeadlessContext();  // for each section, as it stays lost
     context->check();
     SECTION("GL_KHR_robustness") {
-        const Instead has(GLAD_GL_KHR_robustness, 1);
-        const Instead status(glad_glGetGraphicsResetStatus,
+        const Instead has(gl::functions().KHR_robustness, 1);
+        const Instead status(gl::functions().GetGraphicsResetStatus,
                              PFNGLGETGRAPHICSRESETSTATUSPROC{statusOfLost});
         askEveryWay(*context);
     }
     SECTION("GL_ARB_robustness alone") {
-        const Instead without(GLAD_GL_KHR_robustness, 0);
-        const Instead has(GLAD_GL_ARB_robustness, 1);
-        const Instead status(glad_glGetGraphicsResetStatusARB,
+        const Instead without(gl::functions().KHR_robustness, 0);
+        const Instead has(gl::functions().ARB_robustness, 1);
+        const Instead status(gl::functions().GetGraphicsResetStatusARB,
                              PFNGLGETGRAPHICSRESETSTATUSARBPROC{statusOfLost});
         askEveryWay(*context);
     }
     SECTION("neither, and glGetError answers for ever") {
-        const Instead without(GLAD_GL_KHR_robustness, 0);
-        const Instead withoutArb(GLAD_GL_ARB_robustness, 0);
-        const Instead error(glad_glGetError, PFNGLGETERRORPROC{errorOfLost});
+        const Instead without(gl::functions().KHR_robustness, 0);
+        const Instead withoutArb(gl::functions().ARB_robustness, 0);
+        const Instead error(gl::functions().GetError, PFNGLGETERRORPROC{errorOfLost});
         askEveryWay(*context);
     }
     SECTION("once, as some drivers do") {
         told = false;
-        const Instead has(GLAD_GL_KHR_robustness, 1);
-        const Instead status(glad_glGetGraphicsResetStatus,
+        const Instead has(gl::functions().KHR_robustness, 1);
+        const Instead status(gl::functions().GetGraphicsResetStatus,
                              PFNGLGETGRAPHICSRESETSTATUSPROC{statusToldOnce});
         askEveryWay(*context);
     }
@@ -90,13 +90,13 @@ TEST_CASE(
 TEST_CASE("what is made in a lost context is no defect of the program, nor of its shaders") {
     gl::Context& context = testContext();
     SECTION("a buffer and a texture") {
-        const Instead error(glad_glGetError, PFNGLGETERRORPROC{errorOfLost});
+        const Instead error(gl::functions().GetError, PFNGLGETERRORPROC{errorOfLost});
         checkLost([] { gl::Buffer(4, nullptr, GL_STATIC_DRAW, "numbers"); });
         checkLost([] { gl::makeTexture2D(4, 4, GL_RGBA8, "picture"); });
     }
     SECTION("a shader, which does not compile") {
-        const Instead has(GLAD_GL_KHR_robustness, 1);
-        const Instead status(glad_glGetGraphicsResetStatus,
+        const Instead has(gl::functions().KHR_robustness, 1);
+        const Instead status(gl::functions().GetGraphicsResetStatus,
                              PFNGLGETGRAPHICSRESETSTATUSPROC{statusOfLost});
         gl::ProgramDescription broken;
         broken.vertex = "broken.vert";

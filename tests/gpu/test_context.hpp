@@ -1,5 +1,5 @@
 #pragma once
-#include "gl/context.hpp"
+#include "window/context.hpp"
 
 /// The context of the running test case, made when first asked for. A test that cannot have one
 /// fails, with the reason.

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "gl/context.hpp"
+#include "window/context.hpp"
 
 /// One of this name, with this version of its driver.
 inline sunder::gl::DeviceInfo device(const std::string& renderer, const std::string& version) {

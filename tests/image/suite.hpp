@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gl/context.hpp"
+#include "window/context.hpp"
 #include "image/comparison.hpp"
 #include "render/cell_colours.hpp"
 #include "render/renderer.hpp"

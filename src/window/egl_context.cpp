@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "gl/headless_context.hpp"
+#include "window/headless_context.hpp"
 
 #ifndef EGL_RENDERER_EXT  // EGL_EXT_device_query_name, missing in older headers
 #define EGL_RENDERER_EXT 0x335F
@@ -118,12 +118,15 @@ EGLConfig anyConfig(const Display& display) {
 
 /// `told`: of a reset of the device, which then loses the context. Unasked, a driver may go on with
 /// pictures of nothing; some refuse to be asked.
-EGLContext makeContext(const Display& display, EGLConfig config, EGLint major, EGLint minor,
-                       bool debug, bool told) {
+EGLContext makeContext(const Display& display, EGLConfig config, Profile profile, EGLint major,
+                       EGLint minor, bool debug, bool told) {
+    const EGLint profileBit = profile == Profile::Core
+                                  ? EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT
+                                  : EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT;
     std::vector<EGLint> attributes{
         EGL_CONTEXT_MAJOR_VERSION,       major,
         EGL_CONTEXT_MINOR_VERSION,       minor,
-        EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+        EGL_CONTEXT_OPENGL_PROFILE_MASK, profileBit,
         EGL_CONTEXT_OPENGL_DEBUG,        debug ? EGL_TRUE : EGL_FALSE};
     if (told)
         attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
@@ -132,10 +135,10 @@ EGLContext makeContext(const Display& display, EGLConfig config, EGLint major, E
     return eglCreateContext(display.id(), config, EGL_NO_CONTEXT, attributes.data());
 }
 
-/// A context, current while it lives.
-class CurrentContext {
+/// A context, current where it was made.
+class OwnedContext {
   public:
-    explicit CurrentContext(const Display& display) : display_(display.id()) {
+    OwnedContext(const Display& display, Profile profile) : display_(display.id()) {
         const auto [major, minor] = display.version();
         if (std::pair(major, minor) < std::pair(1, 5))
             throw ContextError("the driver offers EGL " + std::to_string(major) + "." +
@@ -144,28 +147,37 @@ class CurrentContext {
             throw ContextError("the driver lacks EGL_KHR_surfaceless_context");
         if (!eglBindAPI(EGL_OPENGL_API)) fail("eglBindAPI(EGL_OPENGL_API)");
         const EGLConfig config = anyConfig(display);
-        id_ = makeContext(display, config, 4, 1, true, true);
-        if (id_ == EGL_NO_CONTEXT) id_ = makeContext(display, config, 4, 1, true, false);
+        id_ = makeContext(display, config, profile, 4, 1, true, true);
+        if (id_ == EGL_NO_CONTEXT) id_ = makeContext(display, config, profile, 4, 1, true, false);
         // An older context is made only so that Context::initialise() can say which version there
         // is.
         if (id_ == EGL_NO_CONTEXT) {
             const std::string problem = errorText();
-            id_ = makeContext(display, config, 3, 2, false, false);
+            id_ = makeContext(display, config, profile, 3, 2, false, false);
             if (id_ == EGL_NO_CONTEXT)
                 throw ContextError("eglCreateContext for OpenGL 4.1 core failed: " + problem);
         }
-        if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, id_)) {
-            const std::string problem = errorText();
+        try {
+            makeCurrent();
+        } catch (...) {
             eglDestroyContext(display_, id_);
-            throw ContextError("eglMakeCurrent without a surface failed: " + problem);
+            throw;
         }
     }
-    ~CurrentContext() {
-        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    ~OwnedContext() {
+        if (eglGetCurrentContext() == id_)
+            eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglDestroyContext(display_, id_);
     }
-    CurrentContext(const CurrentContext&) = delete;
-    CurrentContext& operator=(const CurrentContext&) = delete;
+    OwnedContext(const OwnedContext&) = delete;
+    OwnedContext& operator=(const OwnedContext&) = delete;
+
+    void makeCurrent() {
+        // The API is chosen per thread.
+        if (!eglBindAPI(EGL_OPENGL_API)) fail("eglBindAPI(EGL_OPENGL_API)");
+        if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, id_))
+            fail("eglMakeCurrent without a surface");
+    }
 
   private:
     EGLDisplay display_;
@@ -174,21 +186,24 @@ class CurrentContext {
 
 class EglContext final : public Context {
   public:
-    EglContext(EGLenum platform, void* device, const std::string& description)
-        : display_(platform, device), current_(display_) {
-        initialise(eglGetProcAddress, description);
+    EglContext(EGLenum platform, void* device, const std::string& description, Profile profile)
+        : display_(platform, device), context_(display_, profile) {
+        initialise(description);
     }
+    Driver::LoadFunction loadFunction() const override { return eglGetProcAddress; }
 
   private:
+    void bindContext() override { context_.makeCurrent(); }
+
     // In this order: the context goes first, also when initialise() throws.
     Display display_;
-    CurrentContext current_;
+    OwnedContext context_;
 };
 
 HeadlessCandidate candidate(int index, std::string description, bool software, EGLenum platform,
                             void* device) {
-    auto open = [=]() -> std::unique_ptr<Context> {
-        return std::make_unique<EglContext>(platform, device, description);
+    auto open = [=](Profile profile) -> std::unique_ptr<Context> {
+        return std::make_unique<EglContext>(platform, device, description, profile);
     };
     return {index, description, software, std::move(open)};
 }

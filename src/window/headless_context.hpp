@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "gl/context.hpp"
+#include "window/context.hpp"
 
 namespace sunder::gl {
 
@@ -13,8 +13,8 @@ struct HeadlessCandidate {
     int index;                ///< −1: has none
     std::string description;  ///< "EGL device 0 (EGL_MESA_device_software)"
     bool software;            ///< known to be, before a context was made
-    std::function<std::unique_ptr<Context>()>
-        open;  ///< throws ContextError: why not, without the description
+    /// Throws ContextError: why not, without the description.
+    std::function<std::unique_ptr<Context>(Profile)> open;
 };
 
 /// Every candidate, in the order of their index. Throws ContextError when the platform's

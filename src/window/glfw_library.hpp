@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/types.hpp"
+#include "window/context.hpp"
 
 namespace sunder::gl {
 
@@ -31,27 +32,38 @@ inline void hintPlatform() {
 #endif
 }
 
-/// GLFW, for as long as it lives; one at a time. `advice` ends the sentence of the ContextError.
+/// GLFW, for as long as one of these lives. It belongs to the process and to its main thread.
+/// `advice` ends the sentence of the ContextError.
 struct GlfwLibrary {
     explicit GlfwLibrary(const std::string& advice = {}) {
         hintPlatform();
-        if (!glfwInit())
-            throw core::ContextError("no window can be opened: " + glfwErrorText() + advice);
+        if (!glfwInit()) throw core::ContextError("no window can be opened: " + glfwErrorText() + advice);
+        ++users();
     }
-    ~GlfwLibrary() { glfwTerminate(); }
+    ~GlfwLibrary() {
+        if (--users() == 0) glfwTerminate();
+    }
     GlfwLibrary(const GlfwLibrary&) = delete;
     GlfwLibrary& operator=(const GlfwLibrary&) = delete;
+
+  private:
+    static int& users() {
+        static int count = 0;
+        return count;
+    }
 };
 
-/// Hints for a window with an OpenGL core context of this version; the window is not shown. `told`:
+/// Hints for a window with an OpenGL context of this version; the window is not shown. `told`:
 /// of a reset of the device, as egl_context.cpp has it.
-inline void hintCoreContext(int major, int minor, bool debug, bool told) {
+inline void hintContext(Profile profile, int major, int minor, bool debug, bool told) {
     glfwDefaultWindowHints();
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    const bool core = profile == Profile::Core;
+    glfwWindowHint(GLFW_OPENGL_PROFILE,
+                   core ? GLFW_OPENGL_CORE_PROFILE : GLFW_OPENGL_COMPAT_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, core ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, debug ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, told ? GLFW_LOSE_CONTEXT_ON_RESET : GLFW_NO_ROBUSTNESS);
 }

@@ -1,4 +1,4 @@
-#include "gl/headless_context.hpp"
+#include "window/headless_context.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -28,7 +28,7 @@ std::string join(const std::vector<std::string>& parts) {
 DeviceListEntry tryOut(const HeadlessCandidate& candidate) {
     DeviceListEntry entry{candidate.index, candidate.description, false, {}, {}};
     try {
-        entry.info = candidate.open()->info();
+        entry.info = candidate.open(Profile::Core)->info();
         entry.usable = true;
     } catch (const ContextError& error) {
         entry.problem = error.what();
@@ -56,11 +56,12 @@ bool isIndex(const std::string& choice) {
     return std::all_of(choice.begin(), choice.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-std::unique_ptr<Context> openIndex(const std::string& choice, const Candidates& candidates) {
+std::unique_ptr<Context> openIndex(const std::string& choice, const Candidates& candidates,
+                                   Profile profile) {
     for (const HeadlessCandidate& candidate : candidates) {
         if (std::to_string(candidate.index) != choice) continue;
         try {
-            return candidate.open();
+            return candidate.open(profile);
         } catch (const ContextError& error) {
             failChoice(choice, "that device does not work (" + std::string(error.what()) + ")",
                        candidates);
@@ -69,7 +70,8 @@ std::unique_ptr<Context> openIndex(const std::string& choice, const Candidates& 
     failChoice(choice, "no device has that number", candidates);
 }
 
-std::unique_ptr<Context> openNamed(const std::string& choice, const Candidates& candidates) {
+std::unique_ptr<Context> openNamed(const std::string& choice, const Candidates& candidates,
+                                   Profile profile) {
     const std::string wanted = lowerCase(choice);
     std::vector<std::string> problems;
     for (const HeadlessCandidate& candidate : candidates) {
@@ -79,7 +81,7 @@ std::unique_ptr<Context> openNamed(const std::string& choice, const Candidates& 
                 : lowerCase(candidate.description).find(wanted) != std::string::npos;
         try {
             // Some names are known only to the driver, once it runs.
-            std::unique_ptr<Context> context = candidate.open();
+            std::unique_ptr<Context> context = candidate.open(profile);
             const DeviceInfo& info = context->info();
             const std::string names = lowerCase(info.vendor + '\n' + info.renderer);
             if (described ||
@@ -97,7 +99,7 @@ std::unique_ptr<Context> openNamed(const std::string& choice, const Candidates& 
 
 }  // namespace
 
-std::unique_ptr<Context> createHeadlessContext() {
+std::unique_ptr<Context> createHeadlessContext(Profile profile) {
     Candidates candidates = headlessCandidates();
     std::stable_partition(candidates.begin(), candidates.end(),
                           [](const HeadlessCandidate& candidate) { return !candidate.software; });
@@ -108,12 +110,13 @@ std::unique_ptr<Context> createHeadlessContext() {
     const char* variable = std::getenv("SUNDER_EGL_DEVICE");
     const std::string choice = variable ? variable : "";
     if (!choice.empty())
-        return isIndex(choice) ? openIndex(choice, candidates) : openNamed(choice, candidates);
+        return isIndex(choice) ? openIndex(choice, candidates, profile)
+                               : openNamed(choice, candidates, profile);
 
     std::vector<std::string> problems;
     for (const HeadlessCandidate& candidate : candidates) {
         try {
-            std::unique_ptr<Context> context = candidate.open();
+            std::unique_ptr<Context> context = candidate.open(profile);
             context->info_.skipped = std::move(problems);
             return context;
         } catch (const ContextError& error) {

@@ -1,13 +1,13 @@
-#include "gl/window.hpp"
+#include "window/window.hpp"
 
-#include <glad/gl.h>
+#include "gl/functions.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <utility>
 
-#include "gl/glfw_library.hpp"
+#include "window/glfw_library.hpp"
 
 namespace sunder::gl {
 
@@ -45,7 +45,7 @@ Key keyOf(int key, int scancode) {
 }
 
 GLFWwindow* makeWindow(const Window::Options& options, bool told) {
-    hintCoreContext(4, 1, true, told);
+    hintContext(Profile::Core, 4, 1, true, told);
     // Pictures are drawn into a target of their own and copied: samples and depth are there.
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
@@ -58,8 +58,8 @@ class GlfwWindow final : public Window {
   public:
     explicit GlfwWindow(const Options& options)
         : library_(kAdvice), window_(options), width_(options.width), height_(options.height) {
-        glfwMakeContextCurrent(handle());
-        initialise(glfwGetProcAddress, "window");
+        bindContext();
+        initialise("window");
         glfwSetWindowUserPointer(handle(), this);
         listen();
         setVsync(options.vsync);
@@ -117,8 +117,11 @@ class GlfwWindow final : public Window {
     }
 
     GLFWwindow* handle() const override { return window_.handle; }
+    Driver::LoadFunction loadFunction() const override { return glfwGetProcAddress; }
 
   private:
+    void bindContext() override { glfwMakeContextCurrent(handle()); }
+
     struct Handle {
         explicit Handle(const Options& options) : handle(makeWindow(options, true)) {
             if (!handle) handle = makeWindow(options, false);
@@ -127,7 +130,7 @@ class GlfwWindow final : public Window {
                     "a window with OpenGL 4.1 core cannot be opened: " + glfwErrorText() + kAdvice);
         }
         ~Handle() {
-            glfwMakeContextCurrent(nullptr);
+            if (glfwGetCurrentContext() == handle) glfwMakeContextCurrent(nullptr);
             glfwDestroyWindow(handle);
         }
         Handle(const Handle&) = delete;

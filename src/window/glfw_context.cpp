@@ -1,7 +1,7 @@
 // Headless contexts where there is no EGL: a GLFW window that is never shown. Main thread only, as
 // GLFW demands.
-#include "gl/glfw_library.hpp"
-#include "gl/headless_context.hpp"
+#include "window/glfw_library.hpp"
+#include "window/headless_context.hpp"
 
 namespace sunder::gl {
 
@@ -9,31 +9,34 @@ using namespace core;
 
 namespace {
 
-GLFWwindow* makeWindow(int major, int minor, bool debug, bool told) {
-    hintCoreContext(major, minor, debug, told);
+GLFWwindow* makeWindow(Profile profile, int major, int minor, bool debug, bool told) {
+    hintContext(profile, major, minor, debug, told);
     return glfwCreateWindow(64, 64, "Sunder", nullptr, nullptr);
 }
 
 class GlfwContext final : public Context {
   public:
-    explicit GlfwContext(const std::string& description) {
-        glfwMakeContextCurrent(window_.handle);
-        initialise(glfwGetProcAddress, description);
+    GlfwContext(const std::string& description, Profile profile) : window_(profile) {
+        bindContext();
+        initialise(description);
     }
+    Driver::LoadFunction loadFunction() const override { return glfwGetProcAddress; }
 
   private:
+    void bindContext() override { glfwMakeContextCurrent(window_.handle); }
+
     struct Window {
-        Window() : handle(makeWindow(4, 1, true, true)) {
-            if (!handle) handle = makeWindow(4, 1, true, false);
+        explicit Window(Profile profile) : handle(makeWindow(profile, 4, 1, true, true)) {
+            if (!handle) handle = makeWindow(profile, 4, 1, true, false);
             if (handle) return;
             const std::string problem = glfwErrorText();
             // An older context is made only so that initialise() can say which version there is.
-            handle = makeWindow(3, 2, false, false);
+            handle = makeWindow(profile, 3, 2, false, false);
             if (!handle)
                 throw ContextError("glfwCreateWindow for OpenGL 4.1 core failed: " + problem);
         }
         ~Window() {
-            glfwMakeContextCurrent(nullptr);
+            if (glfwGetCurrentContext() == handle) glfwMakeContextCurrent(nullptr);
             glfwDestroyWindow(handle);
         }
         Window(const Window&) = delete;
@@ -49,8 +52,8 @@ class GlfwContext final : public Context {
 
 std::vector<HeadlessCandidate> headlessCandidates() {
     const std::string description = "hidden window";
-    auto open = [description]() -> std::unique_ptr<Context> {
-        return std::make_unique<GlfwContext>(description);
+    auto open = [description](Profile profile) -> std::unique_ptr<Context> {
+        return std::make_unique<GlfwContext>(description, profile);
     };
     return {{0, description, false, open}};
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "gl/context.hpp"
+#include "window/context.hpp"
 
 struct GLFWwindow;
 

@@ -1,0 +1,57 @@
+#pragma once
+#include <array>
+#include <bitset>
+#include <vector>
+
+#include "gl/functions.hpp"
+
+namespace sunder::gl {
+
+/// What a host has bound to the texture units and uniform blocks that Sunder uses, noted when
+/// Sunder first uses one during a Visit: most of a context's hundreds of bindings it never does.
+class TouchedBindings {
+  public:
+    enum class Mode {
+        Off,      ///< nobody else uses the context
+        Cleared,  ///< a host's samplers are taken from the units that Sunder uses
+        Noted,    ///< and all is put back in the end
+    };
+    void begin(Mode mode) { mode_ = mode; }
+    /// Before Sunder binds a texture of `target` to `unit`, the active one.
+    void texture(int unit, GLenum target) {
+        if (mode_ != Mode::Off) note(unit, target);
+    }
+    /// Before Sunder binds a buffer to the uniform blocks with that binding.
+    void uniforms(int binding) {
+        if (mode_ == Mode::Noted) note(binding);
+    }
+    /// Puts back what was noted, and ends. Changes the active unit and the generic uniform buffer.
+    void end();
+
+    static constexpr int kUnits = 64, kTargets = 4, kUniformBlocks = 16;
+
+  private:
+    void note(int unit, GLenum target);
+    void note(int binding);
+
+    struct BoundTexture {
+        GLenum unit, target;
+        GLuint texture;
+    };
+    struct BoundSampler {
+        GLuint unit, sampler;
+    };
+    struct BoundUniforms {
+        GLuint binding, buffer;
+        GLint64 start, size;
+    };
+    Mode mode_ = Mode::Off;
+    std::bitset<kUnits> unitsSeen_;
+    std::bitset<kUniformBlocks> blocksSeen_;
+    std::array<std::bitset<kUnits>, kTargets> texturesSeen_;
+    std::vector<BoundTexture> textures_;
+    std::vector<BoundSampler> samplers_;
+    std::vector<BoundUniforms> uniforms_;
+};
+
+}  // namespace sunder::gl

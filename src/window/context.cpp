@@ -1,0 +1,20 @@
+#include "window/context.hpp"
+
+#include <utility>
+
+namespace sunder::gl {
+
+Context::~Context() = default;
+
+void Context::initialise(std::string device) {
+    driver_.emplace(loadFunction(), std::move(device), Driver::Owner::Sunder);
+    driver_->makeCurrent();
+    info_ = driver_->info();
+}
+
+void Context::makeCurrent() {
+    bindContext();
+    driver_->makeCurrent();
+}
+
+}  // namespace sunder::gl
