@@ -3,11 +3,11 @@
 #include <optional>
 
 #include "app/bench_result.hpp"
-#include "window/context.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene.hpp"
 #include "sim/simulation.hpp"
 #include "sim_gl/gl_layout.hpp"
+#include "window/context.hpp"
 
 namespace sunder::app {
 

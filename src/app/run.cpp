@@ -17,7 +17,6 @@
 #include "files/held_signals.hpp"
 #include "files/utf8_path.hpp"
 #include "files/write_file.hpp"
-#include "window/context.hpp"
 #include "image/image.hpp"
 #include "render/legend.hpp"
 #include "scene/limit_warnings.hpp"
@@ -27,6 +26,7 @@
 #include "sim_gl/drawn_state.hpp"
 #include "sim_gl/gl_layout.hpp"
 #include "sim_gl/solvers.hpp"
+#include "window/context.hpp"
 
 namespace sunder::app {
 

@@ -11,7 +11,7 @@ struct DeviceInfo {
     /// window".
     std::string device;
     bool software = false;
-    bool compatibility = false;              ///< the context has what GL 3.2 core has removed
+    bool compatibility = false;  ///< the context has what GL 3.2 core has removed
     int maxTextureSize = 0;
     int maxTextureBufferSize = 0;            ///< texels
     int maxUniformBlockSize = 0;             ///< bytes

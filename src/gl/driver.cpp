@@ -141,8 +141,7 @@ void Driver::drain() {
         if (error == GL_NO_ERROR) break;
         lost_ |= error == GL_CONTEXT_LOST;
         exhausted_ |= error == GL_OUT_OF_MEMORY;
-        if (!errorReported_ && errors_.size() < kMaxCollected)
-            errors_.push_back(errorName(error));
+        if (!errorReported_ && errors_.size() < kMaxCollected) errors_.push_back(errorName(error));
     }
 }
 

@@ -12,9 +12,8 @@ GLenum toEnum(GLint value) {
 
 constexpr GLenum kSwizzles[] = {GL_VIEWPORT_SWIZZLE_X_NV, GL_VIEWPORT_SWIZZLE_Y_NV,
                                 GL_VIEWPORT_SWIZZLE_Z_NV, GL_VIEWPORT_SWIZZLE_W_NV};
-constexpr GLint kPlain[] = {
-    GL_VIEWPORT_SWIZZLE_POSITIVE_X_NV, GL_VIEWPORT_SWIZZLE_POSITIVE_Y_NV,
-    GL_VIEWPORT_SWIZZLE_POSITIVE_Z_NV, GL_VIEWPORT_SWIZZLE_POSITIVE_W_NV};
+constexpr GLint kPlain[] = {GL_VIEWPORT_SWIZZLE_POSITIVE_X_NV, GL_VIEWPORT_SWIZZLE_POSITIVE_Y_NV,
+                            GL_VIEWPORT_SWIZZLE_POSITIVE_Z_NV, GL_VIEWPORT_SWIZZLE_POSITIVE_W_NV};
 
 void swizzle(const GLint* axes) {
     glViewportSwizzleNV(0, toEnum(axes[0]), toEnum(axes[1]), toEnum(axes[2]), toEnum(axes[3]));
@@ -111,8 +110,7 @@ void Viewports::restore(Driver& driver) {
 void PolygonOffset::save(Driver& driver) {
     glGetFloatv(GL_POLYGON_OFFSET_FACTOR, &factor_);
     glGetFloatv(GL_POLYGON_OFFSET_UNITS, &units_);
-    if (driver.functions().ARB_polygon_offset_clamp)
-        glGetFloatv(GL_POLYGON_OFFSET_CLAMP, &clamp_);
+    if (driver.functions().ARB_polygon_offset_clamp) glGetFloatv(GL_POLYGON_OFFSET_CLAMP, &clamp_);
 }
 
 void PolygonOffset::restore(Driver& driver) {

@@ -19,7 +19,7 @@ class Blending {
   private:
     struct Buffer {
         GLboolean on = GL_FALSE, mask[4] = {GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE};
-        GLint equations[2] = {GL_FUNC_ADD, GL_FUNC_ADD};            ///< colour, alpha
+        GLint equations[2] = {GL_FUNC_ADD, GL_FUNC_ADD};        ///< colour, alpha
         GLint factors[4] = {GL_ONE, GL_ZERO, GL_ONE, GL_ZERO};  ///< source, destination; of alpha
         bool operator==(const Buffer&) const = default;
     };

@@ -39,7 +39,8 @@ void TouchedBindings::note(int unit, GLenum target) {
     auto seen = texturesSeen_[static_cast<std::size_t>(known - kKnownTargets)][at];
     if (seen) return;
     seen = true;
-    textures_.push_back({GL_TEXTURE0 + static_cast<GLenum>(unit), target, boundName(known->binding)});
+    textures_.push_back(
+        {GL_TEXTURE0 + static_cast<GLenum>(unit), target, boundName(known->binding)});
 }
 
 void TouchedBindings::note(int binding) {

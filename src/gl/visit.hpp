@@ -3,24 +3,6 @@
 
 namespace sunder::gl {
 
-/// What becomes of the state of a context during a Visit.
-enum class State {
-    /// All of it is in the end as it was in the beginning. Median of entering and leaving: see
-    /// Visit.
-    Restored,
-    /// Nothing is asked and nothing put back: for hosts that set all state before they draw. Sunder
-    /// sets what it depends on and leaves behind:
-    /// - enabled: what is in a new context, dithering and multisampling; nothing else, blending,
-    ///   tests, culling, clipping and primitive restart included; all colour masks true;
-    /// - bound: framebuffers, vertex array, program and buffers of its own, its textures and no
-    ///   samplers on the units it uses, any unit active, any viewport; pixels are packed and
-    ///   unpacked as in a new context, from and to no buffer.
-    /// No transform feedback of the host's may be active.
-    Dirty,
-    /// The context is Sunder's own: only its functions become current.
-    Ours,
-};
-
 /// A guest's stay in a GL context. Whoever calls solvers, or makes or destroys what lives in the
 /// context, does so while one of these lives; the context is current on this thread all that time.
 ///
@@ -44,6 +26,26 @@ enum class State {
 /// - between glBegin and glEnd nothing can be called at all.
 class Visit {
   public:
+    /// What becomes of the state of a context during a Visit.
+    enum class State {
+        /// All of it is in the end as it was in the beginning. Median of entering and leaving: see
+        /// Visit.
+        Restored,
+        /// Nothing is asked and nothing put back: for hosts that set all state before they draw.
+        /// Sunder
+        /// sets what it depends on and leaves behind:
+        /// - enabled: what is in a new context, dithering and multisampling; nothing else,
+        /// blending,
+        ///   tests, culling, clipping and primitive restart included; all colour masks true;
+        /// - bound: framebuffers, vertex array, program and buffers of its own, its textures and no
+        ///   samplers on the units it uses, any unit active, any viewport; pixels are packed and
+        ///   unpacked as in a new context, from and to no buffer.
+        /// No transform feedback of the host's may be active.
+        Dirty,
+        /// The context is Sunder's own: only its functions become current.
+        Ours,
+    };
+
     /// Throws InputError when the host is in the midst of something that cannot be interrupted;
     /// then nothing has changed.
     explicit Visit(Driver& driver, State state = State::Restored);

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "window/window.hpp"
 #include "view/clock.hpp"
 #include "view/event_log.hpp"
 #include "view/measurements.hpp"
@@ -18,6 +17,7 @@
 #include "view/settings.hpp"
 #include "view/shader_folder.hpp"
 #include "view/stage.hpp"
+#include "window/window.hpp"
 
 namespace sunder::view {
 

@@ -123,11 +123,10 @@ EGLContext makeContext(const Display& display, EGLConfig config, Profile profile
     const EGLint profileBit = profile == Profile::Core
                                   ? EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT
                                   : EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT;
-    std::vector<EGLint> attributes{
-        EGL_CONTEXT_MAJOR_VERSION,       major,
-        EGL_CONTEXT_MINOR_VERSION,       minor,
-        EGL_CONTEXT_OPENGL_PROFILE_MASK, profileBit,
-        EGL_CONTEXT_OPENGL_DEBUG,        debug ? EGL_TRUE : EGL_FALSE};
+    std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION,       major,
+                                   EGL_CONTEXT_MINOR_VERSION,       minor,
+                                   EGL_CONTEXT_OPENGL_PROFILE_MASK, profileBit,
+                                   EGL_CONTEXT_OPENGL_DEBUG,        debug ? EGL_TRUE : EGL_FALSE};
     if (told)
         attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
                                              EGL_LOSE_CONTEXT_ON_RESET});

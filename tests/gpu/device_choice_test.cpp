@@ -4,9 +4,9 @@
 
 #include "catch.hpp"
 #include "command.hpp"
-#include "window/context.hpp"
 #include "support/contains.hpp"
 #include "support/test_folder.hpp"
+#include "window/context.hpp"
 
 #ifdef __linux__
 #include <sys/wait.h>

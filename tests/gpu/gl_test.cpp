@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "window/context.hpp"
 #include "gl/objects.hpp"
 #include "gl/program.hpp"
 #include "support/contains.hpp"
+#include "window/context.hpp"
 
 using namespace sunder;
 using namespace sunder::core;

@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "window/context.hpp"
 #include "image/comparison.hpp"
 #include "render/cell_colours.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene.hpp"
+#include "window/context.hpp"
 
 /// Whose state a picture shows.
 enum class SuiteSolver {
