@@ -83,6 +83,9 @@ class Driver {
     Allocations buffers, textures;
     /// Where programs that name no source take their shaders from.
     ShaderSource shaders = embeddedShaders();
+    /// The transform feedback object that is bound while nothing is captured: never one of a
+    /// host's.
+    GLuint idleFeedback = 0;
     /// What a Visit has to put back, beside the state that it saves when it begins.
     TouchedBindings touched;
 

@@ -1,6 +1,12 @@
 #include "gl/fence.hpp"
 
+#include "gl/driver.hpp"
+
 namespace sunder::gl {
+
+void Fence::Delete::operator()(GLsync sync) const {
+    if (Driver::current()) glDeleteSync(sync);
+}
 
 Fence Fence::insert() {
     Fence fence;

@@ -16,7 +16,7 @@ class Fence {
 
   private:
     struct Delete {
-        void operator()(GLsync sync) const { glDeleteSync(sync); }
+        void operator()(GLsync sync) const;
     };
     std::unique_ptr<std::remove_pointer_t<GLsync>, Delete> sync_;
 };

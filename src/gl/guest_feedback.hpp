@@ -3,13 +3,14 @@
 
 namespace sunder::gl {
 
-/// A host's transform feedback, which may be going on: interrupted during a visit. Sunder's passes
-/// have objects of their own for it.
+class Driver;
+
+/// A host's transform feedback, which may be going on: interrupted during a visit.
 class HostFeedback {
   public:
     void save();
-    void interrupt();
-    void goOn();
+    void interrupt(Driver&);
+    void goOn(Driver&);
 
   private:
     GLuint object_ = 0, buffer_ = 0;

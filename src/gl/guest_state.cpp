@@ -309,7 +309,7 @@ void GuestState::save() {
 // While the host's transform feedback is active, neither it nor the program can be changed: it is
 // interrupted first and goes on last.
 void GuestState::neutralise() {
-    saved_->feedback.interrupt();
+    saved_->feedback.interrupt(driver_);
     saved_->eachButFeedback([&](auto& part) { part.neutralise(driver_); });
 }
 
@@ -319,7 +319,7 @@ void GuestState::neutraliseAll() {
 
 void GuestState::restore() {
     saved_->eachButFeedback([&](auto& part) { part.restore(driver_); });
-    saved_->feedback.goOn();
+    saved_->feedback.goOn(driver_);
 }
 
 }  // namespace sunder::gl

@@ -263,6 +263,14 @@ void bindForWork(GLenum target, const Texture& texture) {
     bindTexture(kWorkUnit, target, texture);
 }
 
+void beginCaptures(const TransformFeedback& object) {
+    glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, object.id());
+}
+
+void endCaptures() {
+    glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, Driver::current()->idleFeedback);
+}
+
 void bindUniforms(int binding, const Buffer& buffer) {
     Driver::current()->touched.uniforms(binding);
     glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(binding), buffer.id());

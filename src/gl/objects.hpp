@@ -106,6 +106,9 @@ inline constexpr int kWorkUnit = 63;
 void bindTexture(int unit, GLenum target, const Texture&);
 /// On kWorkUnit.
 void bindForWork(GLenum target, const Texture&);
+/// Captures go to that object, until endCaptures().
+void beginCaptures(const TransformFeedback&);
+void endCaptures();
 /// All of a buffer becomes what uniform blocks with that binding read. Likewise, by this alone.
 void bindUniforms(int binding, const Buffer&);
 

@@ -1,9 +1,11 @@
 #include "gl/timer.hpp"
 
+#include "gl/driver.hpp"
+
 namespace sunder::gl {
 
 void deleteQuery(GLuint id) {
-    glDeleteQueries(1, &id);
+    if (Driver::current()) glDeleteQueries(1, &id);
 }
 
 Query makeQuery() {

@@ -93,8 +93,7 @@ void Feedback::run(const gl::Program& program, const gl::VertexArray& attributes
     glEnable(GL_RASTERIZER_DISCARD);
     program.use();
     glBindVertexArray(attributes.id());
-    // Not object 0, which a host may be using.
-    glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, capture_.id());
+    gl::beginCaptures(capture_);
     GLuint index = 0;
     for (const gl::Buffer* target : targets)
         glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, index++, target->id());
@@ -102,7 +101,7 @@ void Feedback::run(const gl::Program& program, const gl::VertexArray& attributes
     glDrawArrays(GL_POINTS, 0, count);
     glEndTransformFeedback();
     while (index > 0) glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, --index, 0);
-    glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
+    gl::endCaptures();
     glDisable(GL_RASTERIZER_DISCARD);
 }
 

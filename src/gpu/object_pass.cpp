@@ -112,9 +112,9 @@ ObjectPass::ObjectPass(const World& world, const WorldBuffers& buffers,
     glBindBuffer(GL_ARRAY_BUFFER, list_.id());
     glEnableVertexAttribArray(0);
     glVertexAttribIPointer(0, 4, GL_INT, kPairBytes, nullptr);
-    glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, capture_.id());
+    gl::beginCaptures(capture_);
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, list_.id());
-    glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
+    gl::endCaptures();
     for (Answer& answer : answers_)
         answer.texels = gl::Buffer(SUNDER_OBJECT_LAYERS * touches_.layerBytes(), nullptr,
                                    GL_STREAM_READ, "where objects are");
@@ -207,12 +207,12 @@ void ObjectPass::search() {
     glEnable(GL_RASTERIZER_DISCARD);
     searchProgram_.use();
     glBindVertexArray(noAttributes_.id());
-    glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, capture_.id());
+    gl::beginCaptures(capture_);
     glBeginTransformFeedback(GL_POINTS);
     for (const TexelRange& range : cells_)
         glDrawArrays(GL_POINTS, range.first, range.end - range.first);
     glEndTransformFeedback();
-    glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
+    gl::endCaptures();
     glDisable(GL_RASTERIZER_DISCARD);
     searchDue_ = false;
 }

@@ -3,8 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-
-#include "catch.hpp"
+#include <stdexcept>
 
 using namespace sunder;
 
@@ -350,7 +349,8 @@ HostileHost::HostileHost() {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, plain, 0);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
                               renderbuffer);
-    REQUIRE(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw std::logic_error("the host's framebuffer is incomplete");
     glGenFramebuffers(1, &incomplete);
     glBindFramebuffer(GL_FRAMEBUFFER, incomplete);
 
@@ -414,7 +414,7 @@ void HostileHost::makeProgram() {
     glDeleteShader(fragment);
     GLint linked = GL_FALSE;
     glGetProgramiv(program, GL_LINK_STATUS, &linked);
-    REQUIRE(linked == GL_TRUE);
+    if (!linked) throw std::logic_error("the host's program does not link");
 }
 
 std::vector<HostileHost::Setting> HostileHost::settings() const {
