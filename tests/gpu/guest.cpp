@@ -21,6 +21,7 @@ const World& guestWorld() {
         d.gravity = {0, -9.81, 0};
         d.ground = true;
         d.contact = true;
+        d.step = 1.0 / 600;  // ten steps to a look for incidents and for rest
         d.events = {hit(0, {0.1, 0.3, 0.1}, {0, 0, -9}), hit(1, {0.1, 0, 0.1}, {0, -6, 0})};
         d.objects = {ball(0.1, 3, {0.15, 0.2, 0.205}, {0, 0, -10})};
         return World(d);

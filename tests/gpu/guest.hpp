@@ -48,6 +48,11 @@ class Guest {
         solver_->finish();
         return solver_->state();
     }
+    std::vector<sunder::Incident> incidents() {
+        const sunder::gl::Visit visit(driver_, state_);
+        solver_->finish();
+        return incidents_.take();
+    }
     /// Of the state, damage and all, and of the incidents so far.
     std::uint64_t hash() {
         const sunder::State now = state();
@@ -71,7 +76,7 @@ class Guest {
     std::optional<Solver> solver_;
 };
 
-/// Steps, in pieces that no interval of the solvers divides.
+/// Steps, four looks of them, in pieces that no interval of the solvers divides.
 inline constexpr int kPieces[] = {7, 13, 1, 19};
 
 /// What a solver makes of the world where nobody else uses the context.

@@ -106,6 +106,7 @@ TEST_CASE("the world of these tests breaks, and its ball is stopped") {
     const State after = solver.state();
     CHECK(diagnose(guestWorld(), after).bondsBroken > 5);
     CHECK(after.objects[0].velocity[2] > before.objects[0].velocity[2] + 0.1);
+    CHECK(solver.incidents().size() > 5);
 }
 
 TEST_CASE("no state of a host's changes what gather computes, nor is it changed") {
