@@ -13,6 +13,7 @@
 namespace sunder::gl {
 
 using namespace core;
+
 namespace detail {
 constinit thread_local Functions* currentFunctions = nullptr;
 }  // namespace detail

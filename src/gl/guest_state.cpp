@@ -33,6 +33,9 @@
 #include "gl/objects.hpp"
 
 namespace sunder::gl {
+
+using namespace core;
+
 namespace {
 
 constexpr unsigned D = kDepends, C = kChanges;

@@ -5,6 +5,8 @@
 
 namespace sunder::gl {
 
+using namespace core;
+
 Visit::Visit(Driver& driver, State state)
     : driver_(driver), before_(Driver::current()), state_(state), nested_(driver.visited_) {
     if (nested_) return;

@@ -4,6 +4,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 const World& guestWorld() {
     static const World world = [] {

@@ -13,13 +13,13 @@
 
 /// A wall that breaks, slabs with cells of another size on it, a ball that hits them: every pass of
 /// every solver has something to do.
-const sunder::World& guestWorld();
+const sunder::core::World& guestWorld();
 
 /// A solver in a host's context. Every call is a visit of its own.
 template <class Solver>
 class Guest {
   public:
-    explicit Guest(sunder::gl::Driver& driver, const sunder::World& world = guestWorld(),
+    explicit Guest(sunder::gl::Driver& driver, const sunder::core::World& world = guestWorld(),
                    sunder::gl::Visit::State state = sunder::gl::Visit::State::Restored)
         : driver_(driver), world_(world), state_(state) {
         const sunder::gl::Visit visit(driver_, state_);
@@ -43,19 +43,19 @@ class Guest {
         const sunder::gl::Visit visit(driver_, state_);
         solver_->advance(steps);
     }
-    sunder::State state() {
+    sunder::core::State state() {
         const sunder::gl::Visit visit(driver_, state_);
         solver_->finish();
         return solver_->state();
     }
-    std::vector<sunder::Incident> incidents() {
+    std::vector<sunder::core::Incident> incidents() {
         const sunder::gl::Visit visit(driver_, state_);
         solver_->finish();
         return incidents_.take();
     }
     /// Of the state, damage and all, and of the incidents so far.
     std::uint64_t hash() {
-        const sunder::State now = state();
+        const sunder::core::State now = state();
         std::uint64_t sum = stateHash(now);
         const auto add = [&](double value) {
             sum = (sum ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3u;
@@ -63,15 +63,15 @@ class Guest {
         };
         for (const double damage : now.damage) add(damage);
         for (const double slow : now.slow) add(slow);
-        for (const sunder::Incident& incident : incidents_.take()) add(incident.impulse);
+        for (const sunder::core::Incident& incident : incidents_.take()) add(incident.impulse);
         return sum;
     }
 
   private:
     sunder::gl::Driver& driver_;
-    const sunder::World& world_;
+    const sunder::core::World& world_;
     sunder::gl::Visit::State state_;
-    sunder::IncidentRing incidents_{1024};
+    sunder::core::IncidentRing incidents_{1024};
     std::optional<sunder::gpu::WorldBuffers> buffers_;
     std::optional<Solver> solver_;
 };

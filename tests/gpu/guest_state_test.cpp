@@ -6,6 +6,7 @@
 #include "gpu/state_dump.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "support/worlds.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include "gl/functions.hpp"
 
 using namespace sunder;
+using namespace sunder::core;
 
 namespace {
 
