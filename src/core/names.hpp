@@ -8,8 +8,9 @@ namespace sunder::core {
 inline constexpr std::string_view kSideNames[] = {"left", "right", "bottom",
                                                   "top",  "back",  "front"};
 inline constexpr std::string_view kShapeNames[] = {"sphere", "box", "capsule"};
-/// EventDescription::Kind; then what happens to objects.
-inline constexpr std::string_view kEventNames[] = {"impulse", "force", "velocity", "throw"};
+/// EventDescription::Kind; then what happens to every body, and to objects.
+inline constexpr std::string_view kEventNames[] = {"impulse", "force", "velocity", "blast",
+                                                   "throw"};
 inline constexpr std::string_view kLawNames[] = {"green", "corotated"};
 inline constexpr std::string_view kFractureNames[] = {"none", "cell", "bond"};
 inline constexpr std::string_view kClusterNames[] = {"none", "voronoi", "running-bond", "planks"};

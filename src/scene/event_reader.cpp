@@ -11,8 +11,10 @@ using namespace core;
 
 namespace {
 
-constexpr std::size_t kThrow = 3;
-constexpr std::string_view kPushKeys[] = {"body", "point", "radius", "vector", "duration"};
+constexpr std::size_t kBlast = 3, kThrow = 4;
+constexpr std::string_view kPushKeys[] = {"point", "radius", "vector", "duration"};
+constexpr std::string_view kBodyKeys[] = {"body"};
+constexpr std::string_view kBlastKeys[] = {"outward", "falloff"};
 constexpr std::string_view kThrowKeys[] = {"object", "from", "velocity", "spin"};
 
 /// Keys that belong to another kind of event.
@@ -23,23 +25,44 @@ void refuse(const TableReader& reader, std::span<const std::string_view> keys, s
                                  inQuotes(key) + "; leave it out, or change kind");
 }
 
+/// What a ball holds of every body, wherever it is by then.
+void readBlast(const TableReader& reader, EventDescription& event) {
+    event.kind = EventDescription::Kind::Velocity;
+    event.body = kEveryBody;
+    event.falloff = true;
+    reader.require("time", "when it starts, in s");
+    reader.require("point", "[x, y, z] in m, in the world");
+    reader.require("radius", "how far it reaches, in m");
+    if (!reader.has("vector"))
+        reader.require("outward", "the speed away from point that it gives, in m/s");
+    reader.read(eventRules(event.kind), event);
+    reader.read(blastRules(), event);
+    reader.read("falloff", event.falloff);
+}
+
 }  // namespace
 
 void readEvents(const TableReader& scene, const BodyReader& bodies, WorldDescription& world) {
     TableReader::Keys keys{"time", "kind"};
-    keys.insert(keys.end(), std::begin(kPushKeys), std::end(kPushKeys));
-    keys.insert(keys.end(), std::begin(kThrowKeys), std::end(kThrowKeys));
+    for (const std::span<const std::string_view> more :
+         {std::span<const std::string_view>(kPushKeys), {kBodyKeys}, {kBlastKeys}, {kThrowKeys}})
+        keys.insert(keys.end(), more.begin(), more.end());
     for (const TableReader& reader : scene.tables("event", keys, kMaxEvents)) {
         EventDescription event;
         event.where = reader.where();
         reader.require("kind", "one of " + joined(kEventNames));
         const std::size_t kind = *reader.readChoice("kind", kEventNames);
-        refuse(reader,
-               kind == kThrow ? std::span<const std::string_view>(kPushKeys)
-                              : std::span<const std::string_view>(kThrowKeys),
-               kind);
+        if (kind == kThrow) refuse(reader, kPushKeys, kind);
+        if (kind == kThrow || kind == kBlast) refuse(reader, kBodyKeys, kind);
+        if (kind != kBlast) refuse(reader, kBlastKeys, kind);
+        if (kind != kThrow) refuse(reader, kThrowKeys, kind);
         if (kind == kThrow) {
             readThrow(reader, world);
+            continue;
+        }
+        if (kind == kBlast) {
+            readBlast(reader, event);
+            world.events.push_back(event);
             continue;
         }
         event.kind = static_cast<EventDescription::Kind>(kind);

@@ -162,13 +162,18 @@ void addObject(Writer& out, const ObjectDescription& object, const std::string& 
 void addEvents(Writer& out, const WorldDescription& world, const std::vector<std::string>& bodies,
                const std::vector<std::string>& objects) {
     for (const EventDescription& event : world.events) {
-        if (event.body == kEveryBody)
-            throw InputError("a scene file holds no events of every body; leave them out");
+        const bool blast = event.body == kEveryBody;
         out.heading("[[event]]");
         out.add("time", event.time);
         out.add("duration", event.duration);
-        out.add("kind", kEventNames[static_cast<int>(event.kind)]);
-        out.add("body", std::string_view(bodies[event.body]));
+        out.add("kind",
+                blast ? std::string_view("blast") : kEventNames[static_cast<int>(event.kind)]);
+        if (blast) {
+            out.add("outward", event.outward);
+            out.add("falloff", event.falloff);
+        } else {
+            out.add("body", std::string_view(bodies[event.body]));
+        }
         out.add("point", event.point);
         out.add("radius", event.radius);
         out.add("vector", event.vector);

@@ -201,7 +201,8 @@ TEST_CASE("A mistake in an object or a throw becomes one sentence", "[scene]") {
         {kBody + "[[event]]\nkind = 'impulse'\nobject = 'ball'\n",
          {"walls.toml:8: event 1: an event of kind 'impulse' has no 'object'"}},
         {kBody + "[[event]]\nkind = 'throws'\n",
-         {"walls.toml:7: event 1: kind must be one of impulse, force, velocity, throw, not the "
+         {"walls.toml:7: event 1: kind must be one of impulse, force, velocity, blast, throw, not "
+          "the "
           "text 'throws'",
           "did you mean 'throw'?"}},
     };

@@ -161,8 +161,20 @@ TEST_CASE("A mistake in a scene becomes one sentence", "[scene]") {
         {replaced(kEvent, "body = 'wall'", "body = 'wal'"),
          {"walls.toml:9: event 1: there is no body 'wal'; bodies: wall; did you mean 'wall'?"}},
         {replaced(kEvent, "'impulse'", "'push'"),
-         {"walls.toml:8: event 1: kind must be one of impulse, force, velocity, throw, not the "
+         {"walls.toml:8: event 1: kind must be one of impulse, force, velocity, blast, throw, not "
+          "the "
           "text 'push'"}},
+        {replaced(kEvent, "'impulse'", "'blast'"),
+         {"walls.toml:9: event 1: an event of kind 'blast' has no 'body'; leave it out, or change "
+          "kind"}},
+        {replaced(replaced(replaced(kEvent, "'impulse'", "'blast'"), "body = 'wall'\n", ""),
+                  "vector = [0, 0, -1]\n", ""),
+         {"walls.toml:6: event 1: outward is missing; give the speed away from point that it "
+          "gives, "
+          "in m/s"}},
+        {kEvent + "outward = 3\n",
+         {"walls.toml:13: event 1: an event of kind 'impulse' has no 'outward'; leave it out, or "
+          "change kind"}},
         {replaced(kEvent, "'impulse'", "'force'"),
          {"walls.toml:6: event 1: duration is missing; give how long the force acts, in s"}},
         {replaced(kEvent, "radius = 0.3", "radius = 0"),

@@ -83,6 +83,16 @@ TEST_CASE("A scene that was saved runs to the same state, to the bit", "[scene]"
         INFO(name);
         scene::Scene scene = scene::loadScene(name);
         for (EventDescription& event : scene.world.events) event.time = 0.01;
+        EventDescription blast;
+        blast.time = 0.02;
+        blast.kind = EventDescription::Kind::Velocity;
+        blast.body = kEveryBody;
+        blast.point = {0.1, 0.7, 0.2};
+        blast.radius = 0.8;
+        blast.outward = 7;
+        blast.vector = {1, 2, -3};
+        blast.falloff = name[0] == 'w';
+        scene.world.events.push_back(blast);
         const scene::Scene again = scene::parseScene(scene::writeScene(scene), "saved.toml", {});
         CHECK(hashAfter(again, 4) == hashAfter(scene, 4));
     }
