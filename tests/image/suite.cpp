@@ -22,15 +22,33 @@ namespace {
 
 constexpr SuiteSolver kSolvers[] = {SuiteSolver::Cpu, SuiteSolver::Gather, SuiteSolver::Scatter};
 
-constexpr scene::WholeRange kThreshold{0, 255};
-constexpr scene::Range kShare{0, 1}, kLevels{0, 255}, kPlace{-100, 100, "m"};
+constexpr Range kThreshold{0, 255}, kShare{0, 1}, kLevels{0, 255}, kPlace{-100, 100, "m"};
+
+/// What rules are about: a number, or three.
+template <class T>
+struct Single {
+    T value{};
+};
+
+bool readValue(const scene::TableReader& table, const char* key, std::string& value,
+               std::size_t maxCharacters) {
+    return table.read(key, value, maxCharacters);
+}
+
+template <class T>
+bool readValue(const scene::TableReader& table, const char* key, T& value, const Range& range) {
+    Single<T> read;
+    if (!table.read(Rule<Single<T>>{key, range, &Single<T>::value, ""}, read)) return false;
+    value = read.value;
+    return true;
+}
 
 template <class T, class Allowed>
 T required(const scene::TableReader& table, const char* key, const char* hint,
            const Allowed& allowed) {
     table.require(key, hint);
     T value{};
-    table.read(key, value, allowed);
+    readValue(table, key, value, allowed);
     return value;
 }
 
@@ -45,7 +63,7 @@ template <class T, class Allowed>
 void readOptional(const scene::TableReader& table, const char* key, std::optional<T>& value,
                   const Allowed& allowed) {
     T read{};
-    if (table.read(key, read, allowed)) value = read;
+    if (readValue(table, key, read, allowed)) value = read;
 }
 
 /// Reads one of `choices` by its name; left as it is where the table does not say.
@@ -66,7 +84,7 @@ SuitePicture readPicture(const scene::TableReader& table) {
         std::string::npos)
         table.fail("name", "name must be of a to z, 0 to 9 and '-'");
     picture.scene = required<std::string>(table, "scene", "a preset", 60);
-    picture.frame = required<int>(table, "frame", "of 1/60 s", scene::WholeRange{0, 10000});
+    picture.frame = required<int>(table, "frame", "of 1/60 s", Range{0, 10000});
     picture.baseline = picture.name;
     table.read("baseline", picture.baseline, 60);
     picture.settings.width = 480;
