@@ -214,7 +214,7 @@ using W = WorldDescription;
 constexpr Rule<W> kWorld[] = {
     {"gravity", {-1000, 1000, "m/s²"}, &W::gravity, "What everything falls with."},
     {"step",
-     {1e-6, 0.1, "s"},
+     {1e-6, kMaxStep, "s"},
      &W::step,
      "One substep. Shorter: carries stiffer materials and faster hits, slower."},
 };

@@ -9,6 +9,7 @@
 
 #include "core/diagnostics.hpp"
 #include "core/elasticity.hpp"
+#include "core/limits.hpp"
 #include "core/sleep.hpp"
 #include "core/traction.hpp"
 #include "cpu/cpu_solver.hpp"
@@ -235,8 +236,9 @@ Relaxation::Outcome Relaxation::run(State& state, int steps,
         // In steps as long as the stiffness allows.
         WorldDescription longSteps = alone_;
         longSteps.step *= stretch;
+        // No material may have less than 1 Pa; the step limits it as before.
         for (const ElementLaw& law : world_.laws())
-            longSteps.materials[law.material].youngModulus = law.youngModulus;
+            longSteps.materials[law.material].youngModulus = std::max(law.youngModulus, 1.0);
         const Outcome outcome = relax(World(longSteps), state);
         if (outcome != Outcome::Rest || !isHot(world_, group_.bodies, state)) return outcome;
     }
@@ -250,7 +252,7 @@ double Relaxation::stepStretch() const {
     double reserve = std::numeric_limits<double>::infinity();
     for (int cell = body.firstCell; cell < body.firstCell + body.cellCount(); ++cell)
         if (world_.present(cell)) reserve = std::min(reserve, stiffnessReserve(world_, cell));
-    return 0.999 * std::sqrt(reserve);
+    return std::min(0.999 * std::sqrt(reserve), kMaxStep / world_.step());
 }
 
 Relaxation::Outcome Relaxation::relax(const World& copy, State& state) {

@@ -109,8 +109,9 @@ TEST_CASE("documents say the ranges that are checked", "[rules]") {
     const Rule<ObjectDescription> length = lengthRule(1);
     CHECK(compare(std::span(&length, 1), scenes("`[[object]]`")) == 1);
     CHECK(compare(std::span(&scene::kRotationRule, 1), scenes("`[[object]]`")) == 1);
-    // `time` of a push and `time` of a throw are checked against both tables.
-    CHECK(compare(throwRules(), scenes("`[[event]]`")) == 5);
+    // `time` of a push, of a blast and of a throw is checked against all three tables.
+    CHECK(compare(throwRules(), scenes("`[[event]]`")) == 6);
+    CHECK(compare(blastRules(), scenes("`[[event]]`")) == 1);
     const Range& vector = findRule(eventRules(EventDescription::Kind::Force), "vector")->range;
     CHECK(compareRow("N " + scenes("`[[event]]`")[5].range, vector, 3, false) == 1);
     CHECK(scenes("`[[event]]`")[5].keys == "`vector`");
