@@ -146,7 +146,8 @@ void Driver::drain() {
     }
 }
 
-void Driver::drainHost() {
+void Driver::noteErrorsBefore() {
+    if (owner_ == Owner::Sunder) return drain();
     for (int i = 0; i < 8; ++i) {
         const GLenum error = glGetError();
         if (error == GL_NO_ERROR) break;

@@ -77,7 +77,9 @@ class Driver {
     std::vector<std::string> takeHostErrors() { return std::exchange(hostErrors_, {}); }
 
     /// glPixelTransferf, which only the compatibility profile has.
-    void setPixelTransfer(GLenum name, GLfloat value) const { pixelTransfer_(name, value); }
+    void setPixelTransfer(GLenum name, GLfloat value) const {
+        if (pixelTransfer_) pixelTransfer_(name, value);
+    }
 
     /// What Sunder has allocated there.
     Allocations buffers, textures;
@@ -96,7 +98,8 @@ class Driver {
     void collect(const char* message, bool isError);
     /// Takes in what glGetError knows.
     void drain();
-    void drainHost();
+    /// What was there before a Visit: a host's errors are not Sunder's.
+    void noteErrorsBefore();
 
     Functions functions_{};
     void(GLAD_API_PTR* pixelTransfer_)(GLenum, GLfloat) = nullptr;

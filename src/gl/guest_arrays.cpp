@@ -59,7 +59,11 @@ void Blending::setAll(const Buffer& buffer) {
     else
         glDisable(GL_BLEND);
     glColorMask(buffer.mask[0], buffer.mask[1], buffer.mask[2], buffer.mask[3]);
-    glBlendEquationSeparate(toEnum(buffer.equations[0]), toEnum(buffer.equations[1]));
+    // GL_KHR_blend_equation_advanced's cannot be set separately.
+    if (buffer.equations[0] == buffer.equations[1])
+        glBlendEquation(toEnum(buffer.equations[0]));
+    else
+        glBlendEquationSeparate(toEnum(buffer.equations[0]), toEnum(buffer.equations[1]));
     glBlendFuncSeparate(toEnum(buffer.factors[0]), toEnum(buffer.factors[1]),
                         toEnum(buffer.factors[2]), toEnum(buffer.factors[3]));
 }
@@ -70,7 +74,10 @@ void Blending::set(GLuint index, const Buffer& buffer) {
     else
         glDisablei(GL_BLEND, index);
     glColorMaski(index, buffer.mask[0], buffer.mask[1], buffer.mask[2], buffer.mask[3]);
-    glBlendEquationSeparatei(index, toEnum(buffer.equations[0]), toEnum(buffer.equations[1]));
+    if (buffer.equations[0] == buffer.equations[1])
+        glBlendEquationi(index, toEnum(buffer.equations[0]));
+    else
+        glBlendEquationSeparatei(index, toEnum(buffer.equations[0]), toEnum(buffer.equations[1]));
     glBlendFuncSeparatei(index, toEnum(buffer.factors[0]), toEnum(buffer.factors[1]),
                          toEnum(buffer.factors[2]), toEnum(buffer.factors[3]));
 }
@@ -83,6 +90,8 @@ void Viewports::save(Driver& driver) {
         glGetFloati_v(GL_VIEWPORT, index, rectangles_[index].data());
         scissors_[index] = glIsEnabledi(GL_SCISSOR_TEST, index);
     }
+    // NVIDIA's glGetDoublev rounds it to single precision.
+    glGetDoublei_v(GL_DEPTH_RANGE, 0, depths_);
     if (driver.functions().NV_scissor_exclusive)
         exclusive_ = glIsEnabledi(GL_SCISSOR_TEST_EXCLUSIVE_NV, 0);
     if (driver.functions().NV_viewport_swizzle)
@@ -95,6 +104,7 @@ void Viewports::neutralise(Driver& driver) {
 
 void Viewports::neutraliseAll(Driver& driver) {
     glDisable(GL_SCISSOR_TEST);
+    glDepthRangeIndexed(0, 0, 1);
     if (driver.functions().NV_scissor_exclusive) glDisablei(GL_SCISSOR_TEST_EXCLUSIVE_NV, 0);
     if (driver.functions().NV_viewport_swizzle) swizzle(kPlain);
 }
@@ -103,6 +113,7 @@ void Viewports::restore(Driver& driver) {
     glViewportArrayv(0, static_cast<GLsizei>(rectangles_.size()), rectangles_[0].data());
     for (GLuint index = 0; index < scissors_.size(); ++index)
         if (scissors_[index]) glEnablei(GL_SCISSOR_TEST, index);
+    glDepthRangeIndexed(0, depths_[0], depths_[1]);
     if (exclusive_) glEnablei(GL_SCISSOR_TEST_EXCLUSIVE_NV, 0);
     if (driver.functions().NV_viewport_swizzle) swizzle(swizzle_);
 }

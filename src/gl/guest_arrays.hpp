@@ -30,7 +30,8 @@ class Blending {
     bool alike_ = true;  ///< all of them
 };
 
-/// glViewport sets every viewport, and glDisable every viewport's scissor.
+/// glViewport sets every viewport, and glDisable every viewport's scissor. Of the rest only the
+/// first viewport's matters, as no shader of Sunder's chooses another.
 class Viewports {
   public:
     void save(Driver&);
@@ -41,8 +42,9 @@ class Viewports {
   private:
     std::vector<std::array<GLfloat, 4>> rectangles_;
     std::vector<GLboolean> scissors_;
-    GLboolean exclusive_ = GL_FALSE;  ///< GL_NV_scissor_exclusive, of the first viewport
-    GLint swizzle_[4] = {};           ///< GL_NV_viewport_swizzle, likewise
+    GLdouble depths_[2] = {};
+    GLboolean exclusive_ = GL_FALSE;  ///< GL_NV_scissor_exclusive
+    GLint swizzle_[4] = {};           ///< GL_NV_viewport_swizzle
 };
 
 /// Sunder's renderer sets it.

@@ -160,10 +160,6 @@ void setClearColour(const GLfloat* colour) {
 void setClearDepth(const GLdouble* depth) {
     glClearDepth(depth[0]);
 }
-/// Of the first viewport, as no shader of Sunder's chooses another.
-void setDepthRange(const GLdouble* range) {
-    glDepthRangeIndexed(0, range[0], range[1]);
-}
 
 constexpr Value<GLint> kIntegers[] = {
     // The front face's mode and the back's, which only the compatibility profile tells apart.
@@ -232,7 +228,6 @@ constexpr Value<GLfloat> kFloats[] = {
 
 constexpr Value<GLdouble> kDoubles[] = {
     {GL_DEPTH_CLEAR_VALUE, {1}, D, setClearDepth},
-    {GL_DEPTH_RANGE, {0, 1}, D, setDepthRange},
 };
 
 }  // namespace
@@ -277,10 +272,14 @@ void GuestState::refuseWhatCannotBeLeft() const {
     } kQueries[] = {
         {GL_SAMPLES_PASSED, "GL_SAMPLES_PASSED"},
         {GL_ANY_SAMPLES_PASSED, "GL_ANY_SAMPLES_PASSED"},
+        {GL_ANY_SAMPLES_PASSED_CONSERVATIVE, "GL_ANY_SAMPLES_PASSED_CONSERVATIVE"},
         {GL_PRIMITIVES_GENERATED, "GL_PRIMITIVES_GENERATED"},
         {GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, "GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN"},
     };
     for (const auto& [target, name] : kQueries) {
+        if (target == GL_ANY_SAMPLES_PASSED_CONSERVATIVE &&
+            !driver_.functions().ARB_ES3_compatibility)
+            continue;
         GLint query = 0;
         glGetQueryiv(target, GL_CURRENT_QUERY, &query);
         if (query != 0)

@@ -7,8 +7,12 @@ namespace sunder::gl {
 
 using namespace core;
 
-Visit::Visit(Driver& driver, State state)
-    : driver_(driver), before_(Driver::current()), state_(state), nested_(driver.visited_) {
+Visit::Visit(Driver& driver, State state, Work work)
+    : driver_(driver),
+      before_(Driver::current()),
+      state_(state),
+      work_(work),
+      nested_(driver.visited_) {
     if (nested_) return;
     driver_.makeCurrent();
     try {
@@ -24,14 +28,16 @@ void Visit::enter() {
     if (state_ == State::Ours) return;
     if (!driver_.state_) driver_.state_ = std::make_unique<GuestState>(driver_);
     GuestState& host = *driver_.state_;
-    if (driver_.asksErrors()) driver_.drainHost();
+    if (driver_.asksErrors()) driver_.noteErrorsBefore();
     if (state_ == State::Dirty) {
         host.neutraliseAll();
         driver_.touched.begin(TouchedBindings::Mode::Cleared);
         return;
     }
-    host.refuseWhatCannotBeLeft();
-    if (driver_.asksErrors()) refuseConditionalRendering();
+    if (work_ == Work::Any) {
+        host.refuseWhatCannotBeLeft();
+        if (driver_.asksErrors()) refuseConditionalRendering();
+    }
     host.save();
     host.neutralise();
     driver_.touched.begin(TouchedBindings::Mode::Noted);

@@ -28,7 +28,7 @@ class Guest {
         solver_->setIncidents(&incidents_);
     }
     ~Guest() {
-        const sunder::gl::Visit visit(driver_, state_);
+        const sunder::gl::Visit visit(driver_, state_, sunder::gl::Visit::Work::Deletes);
         solver_.reset();
         buffers_.reset();
     }

@@ -3,7 +3,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 using namespace sunder;
 
@@ -284,9 +287,38 @@ const Setting kSettings[] = {
 const Setting kFixedIndex = {"primitive restart, fixed index", enable<0x8D69>};
 const Setting kQueryBuffer = {"query buffer",
                               [](Host& host) { glBindBuffer(GL_QUERY_BUFFER, host.otherBuffer); }};
+/// GL_KHR_blend_equation_advanced: GL_MULTIPLY_KHR.
+const Setting kAdvancedBlending = {"advanced blending", [](Host&) { glBlendEquation(0x9294); },
+                                   true};
 const Setting kClipControl = {"clip control",
                               [](Host&) { glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE); }};
 const Setting kWindowRectangles = {"window rectangles", excludeWindow};
+/// Of extensions that change how OpenGL 4.1 draws.
+struct Extra {
+    int gl::Functions::*extension;
+    Setting setting;
+};
+const Extra kExtras[] = {
+    {&gl::Functions::EXT_depth_bounds_test, {"depth bounds", enable<GL_DEPTH_BOUNDS_TEST_EXT>}},
+    {&gl::Functions::NV_conservative_raster,
+     {"conservative rasterization", enable<GL_CONSERVATIVE_RASTERIZATION_NV>}},
+    {&gl::Functions::INTEL_conservative_rasterization,
+     {"conservative rasterization, Intel's", enable<GL_CONSERVATIVE_RASTERIZATION_INTEL>}},
+    {&gl::Functions::NV_fragment_coverage_to_color,
+     {"coverage to colour", enable<GL_FRAGMENT_COVERAGE_TO_COLOR_NV>}},
+    {&gl::Functions::NV_representative_fragment_test,
+     {"representative fragments", enable<GL_REPRESENTATIVE_FRAGMENT_TEST_NV>}},
+    {&gl::Functions::NV_shading_rate_image, {"shading rate", enable<GL_SHADING_RATE_IMAGE_NV>}},
+    {&gl::Functions::NV_scissor_exclusive,
+     {"exclusive scissor", [](Host&) { glEnablei(GL_SCISSOR_TEST_EXCLUSIVE_NV, 0); }}},
+    {&gl::Functions::NV_viewport_swizzle,
+     {"swizzled viewport",
+      [](Host&) {
+          glViewportSwizzleNV(0, GL_VIEWPORT_SWIZZLE_NEGATIVE_Y_NV,
+                              GL_VIEWPORT_SWIZZLE_POSITIVE_X_NV, GL_VIEWPORT_SWIZZLE_NEGATIVE_Z_NV,
+                              GL_VIEWPORT_SWIZZLE_POSITIVE_W_NV);
+      }}},
+};
 const Setting kCompatible[] = {
     {"alpha test", enable<kAlphaTest>},
     {"points smooth, no sprites",
@@ -424,6 +456,12 @@ std::vector<HostileHost::Setting> HostileHost::settings() const {
     if (has.ARB_query_buffer_object) result.push_back(kQueryBuffer);
     if (has.ARB_clip_control) result.push_back(kClipControl);
     if (has.EXT_window_rectangles) result.push_back(kWindowRectangles);
+    for (int i = 0; i < integer(GL_NUM_EXTENSIONS); ++i)
+        if (reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))) ==
+            std::string_view("GL_KHR_blend_equation_advanced"))
+            result.push_back(kAdvancedBlending);
+    for (const Extra& extra : kExtras)
+        if (has.*extra.extension) result.push_back(extra.setting);
     if (compatibility) result.insert(result.end(), std::begin(kCompatible), std::end(kCompatible));
     return result;
 }
@@ -531,6 +569,19 @@ void HostileHost::reset() {
     if (has.ARB_query_buffer_object) glBindBuffer(GL_QUERY_BUFFER, 0);
     if (has.ARB_clip_control) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     if (has.EXT_window_rectangles) glWindowRectanglesEXT(GL_EXCLUSIVE_EXT, 0, nullptr);
+    const std::pair<int, GLenum> extras[] = {
+        {has.EXT_depth_bounds_test, GL_DEPTH_BOUNDS_TEST_EXT},
+        {has.NV_conservative_raster, GL_CONSERVATIVE_RASTERIZATION_NV},
+        {has.INTEL_conservative_rasterization, GL_CONSERVATIVE_RASTERIZATION_INTEL},
+        {has.NV_fragment_coverage_to_color, GL_FRAGMENT_COVERAGE_TO_COLOR_NV},
+        {has.NV_representative_fragment_test, GL_REPRESENTATIVE_FRAGMENT_TEST_NV},
+        {has.NV_shading_rate_image, GL_SHADING_RATE_IMAGE_NV}};
+    for (const auto& [there, capability] : extras)
+        if (there) glDisable(capability);
+    if (has.NV_scissor_exclusive) glDisablei(GL_SCISSOR_TEST_EXCLUSIVE_NV, 0);
+    if (has.NV_viewport_swizzle)
+        glViewportSwizzleNV(0, GL_VIEWPORT_SWIZZLE_POSITIVE_X_NV, GL_VIEWPORT_SWIZZLE_POSITIVE_Y_NV,
+                            GL_VIEWPORT_SWIZZLE_POSITIVE_Z_NV, GL_VIEWPORT_SWIZZLE_POSITIVE_W_NV);
     if (!compatibility) return;
     for (const GLenum capability : {kAlphaTest, kPointSmooth, kPolygonStipple})
         glDisable(capability);

@@ -147,6 +147,11 @@ const Name kOfEachDrawBuffer[] = {NAME(GL_BLEND),
                                   NAME(GL_BLEND_EQUATION_RGB),
                                   NAME(GL_BLEND_EQUATION_ALPHA),
                                   NAME(GL_COLOR_WRITEMASK)};
+/// GL_NV_viewport_swizzle and GL_NV_scissor_exclusive.
+const Name kOfFirstViewport[] = {
+    {"GL_VIEWPORT_SWIZZLE_X_NV", 0x9358},     {"GL_VIEWPORT_SWIZZLE_Y_NV", 0x9359},
+    {"GL_VIEWPORT_SWIZZLE_Z_NV", 0x935A},     {"GL_VIEWPORT_SWIZZLE_W_NV", 0x935B},
+    {"GL_SCISSOR_TEST_EXCLUSIVE_NV", 0x9555}, {"GL_SCISSOR_BOX_EXCLUSIVE_NV", 0x9556}};
 const Name kOfEachViewport[] = {NAME(GL_VIEWPORT), NAME(GL_DEPTH_RANGE), NAME(GL_SCISSOR_BOX),
                                 NAME(GL_SCISSOR_TEST)};
 const Name kOfEachUniformBlock[] = {NAME(GL_UNIFORM_BUFFER_BINDING), NAME(GL_UNIFORM_BUFFER_START),
@@ -203,6 +208,7 @@ class Dumper {
             for (const Name& name : kCompatibility) addPlain(name);
         addIndexed(kOfEachDrawBuffer, most(GL_MAX_DRAW_BUFFERS));
         addIndexed(kOfEachViewport, most(GL_MAX_VIEWPORTS));
+        addIndexed(kOfFirstViewport, 1);
         addIndexed(kOfEachUniformBlock, most(GL_MAX_UNIFORM_BUFFER_BINDINGS));
         addIndexed(kOfEachFeedbackBuffer, 4);
         const Name sampleMask[] = {{"GL_SAMPLE_MASK_VALUE", GL_SAMPLE_MASK_VALUE}};
