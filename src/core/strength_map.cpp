@@ -27,6 +27,12 @@ std::uint64_t latticeKey(const Eigen::Matrix<std::int64_t, 3, 1>& c) {
 
 using LatticePoint = Eigen::Matrix<std::int64_t, 3, 1>;
 
+/// The same place, unless a lattice is so fine that its points there have no numbers: a description
+/// may ask for chunks of 1e-300 m.
+Vec3 numbered(const Vec3& p) {
+    return p.cwiseMax(-0x1p52).cwiseMin(0x1p52);
+}
+
 LatticePoint floorOf(const Vec3& p) {
     return {static_cast<std::int64_t>(std::floor(p[0])),
             static_cast<std::int64_t>(std::floor(p[1])),
@@ -81,12 +87,12 @@ IVec3 clusterSpans(const Material& material) {
     return (material.clusterSize.array() > 0).cast<int>();
 }
 
-/// In units of clusterSize; 0 along axes without one.
+/// In units of clusterSize, numbered(); 0 along axes without one.
 Vec3 inClusters(const Material& material, const Vec3& p) {
     Vec3 q = Vec3::Zero();
     for (int axis = 0; axis < 3; ++axis)
         if (material.clusterSize[axis] > 0) q[axis] = p[axis] / material.clusterSize[axis];
-    return q;
+    return numbered(q);
 }
 
 /// By how much a row of bricks is shifted, in bricks.
@@ -209,8 +215,8 @@ double bondStrength(const Material& material, const Vec3& a, const Vec3& b, int 
     double strength = (boundary ? material.boundaryStrength : material.strength)[axis];
     strength *= weibullFactor(material.spread, hashUniform(seed, bond, 4));
     if (material.noiseLength > 0)
-        strength *=
-            1 + material.noiseAmplitude * smoothNoise(0.5 * (a + b) / material.noiseLength, seed);
+        strength *= 1 + material.noiseAmplitude *
+                            smoothNoise(numbered(0.5 * (a + b) / material.noiseLength), seed);
     return strength;
 }
 
