@@ -41,7 +41,7 @@ SYSTEM = re.compile(r'\w+|sys/\w+\.h|(fcntl|io|malloc|poll|shellapi|spawn|unistd
 # Looked for with __has_include: Catch2 2 has it, vcpkg has 3.
 OPTIONAL = {'catch2/catch.hpp'}
 # No file of Windows.
-ELSEWHERE = {'src/gl/egl_context.cpp'}
+ELSEWHERE = {'src/window/egl_context.cpp'}
 
 
 def install_stubs(vcpkg):
