@@ -3,22 +3,19 @@
 //
 // In no table, as Sunder neither depends on it nor changes it:
 // - what only matters where something below is on, which is off: blend colour, logic operation,
-// stencil
-//   functions, operations, masks and clear value, sample coverage, sample mask's words, smallest
-//   share of sample shading, primitive restart's index, polygon offset's units for lines and
-//   points;
+//   stencil functions, operations, masks and clear value, sample coverage, sample mask's words,
+//   smallest share of sample shading, primitive restart's index, polygon offset's units for lines
+//   and points;
 // - what only some primitives have, which Sunder draws none of: patch vertices and levels, line
 //   stipple, the origin of point sprites (no shader reads gl_PointCoord), hints for smooth lines
 //   and polygons;
 // - the scissor boxes; program pipelines, which glUseProgram overrules; seamless cube maps, of
-// which
-//   Sunder has none; renderbuffers; the generic bindings of textures' buffers and indirect draws;
-//   images, atomic counters and shader storage, which GLSL 4.10 does not know;
+//   which Sunder has none; renderbuffers; the generic bindings of textures' buffers and indirect
+//   draws; images, atomic counters and shader storage, which GLSL 4.10 does not know;
 // - what belongs to objects of the host's: vertex arrays, their element buffer included,
 //   framebuffers and their draw and read buffers, transform feedbacks and their buffers;
 // - current vertex attributes, which drawing may change (GL 4.1, 2.8.3); no driver is known to do
-// so,
-//   and of which type they are cannot be asked;
+//   so, and of which type they are cannot be asked;
 // - the debug output.
 #include "gl/guest_state.hpp"
 

@@ -33,11 +33,9 @@ class Visit {
         /// All of it is in the end as it was in the beginning.
         Restored,
         /// Nothing is asked and nothing put back: for hosts that set all state before they draw.
-        /// Sunder
-        /// sets what it depends on and leaves behind:
-        /// - enabled: what is in a new context, dithering and multisampling; nothing else,
-        /// blending,
-        ///   tests, culling, clipping and primitive restart included; all colour masks true;
+        /// Sunder sets what it depends on and leaves behind:
+        /// - enabled: dithering and multisampling, as in a new context, and nothing else; all
+        ///   colour masks are true;
         /// - bound: framebuffers, vertex array, program and buffers of its own, its textures and no
         ///   samplers on the units it uses, any unit active, any viewport; pixels are packed and
         ///   unpacked as in a new context, from and to no buffer.
