@@ -15,6 +15,6 @@ inline constexpr std::size_t kMaxRegions = 256;   ///< of one body
 inline constexpr std::size_t kMaxEvents = 10000;  ///< as many throws besides
 inline constexpr double kMaxLength = 1e4;         ///< m, any coordinate
 inline constexpr double kMaxTime = 1e5;           ///< s
-inline constexpr double kMaxStep = 0.1;  ///< s, of a substep
+inline constexpr double kMaxStep = 0.1;           ///< s, of a substep
 
 }  // namespace sunder::core

@@ -37,7 +37,8 @@ inline void hintPlatform() {
 struct GlfwLibrary {
     explicit GlfwLibrary(const std::string& advice = {}) {
         hintPlatform();
-        if (!glfwInit()) throw core::ContextError("no window can be opened: " + glfwErrorText() + advice);
+        if (!glfwInit())
+            throw core::ContextError("no window can be opened: " + glfwErrorText() + advice);
         ++users();
     }
     ~GlfwLibrary() {
