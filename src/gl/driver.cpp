@@ -156,6 +156,7 @@ void Driver::noteErrorsBefore() {
 }
 
 std::vector<std::string> Driver::takeErrors() {
+    const Current current(*this);
     lost_ |= contextLost();
     if (asks_) drain();
     if (lost_) failContextLost();

@@ -67,11 +67,15 @@ class Driver {
     /// the list. Errors that Sunder turned into an exception where they happened (no memory for a
     /// buffer, a shader that does not compile) are not in it. Of a host's context, those it knows
     /// of without asking, unless askErrors(). Throws ContextError once the context is lost
-    /// (gl/device_failure.hpp). Needs to be current.
+    /// (gl/device_failure.hpp). The context must be current.
     std::vector<std::string> takeErrors();
     /// Throws std::runtime_error with the first of takeErrors(), if any; InputError when the
     /// device's memory is exhausted.
     void check();
+
+    /// A host has destroyed the context: its objects are gone, and a Visit only lets go of them.
+    void contextGone() { gone_ = true; }
+    bool isContextGone() const { return gone_; }
 
     /// What glGetError knew when a Visit began, since the last call: see askErrors().
     std::vector<std::string> takeHostErrors() { return std::exchange(hostErrors_, {}); }
@@ -112,6 +116,7 @@ class Driver {
     bool exhausted_ = false;      // the device's memory, since check() was last called
     bool lost_ = false;           // for good
     bool visited_ = false;
+    bool gone_ = false;
 };
 
 }  // namespace sunder::gl

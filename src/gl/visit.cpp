@@ -14,6 +14,15 @@ Visit::Visit(Driver& driver, State state, Work work)
       work_(work),
       nested_(driver.visited_) {
     if (nested_) return;
+    if (driver_.gone_) {
+        if (work_ == Work::Any)
+            throw ContextError("the host's OpenGL context has been destroyed; make a new device");
+        // Where no driver is current, objects are let go without a call.
+        state_ = State::Ours;
+        Driver::setCurrent(nullptr);
+        driver_.visited_ = true;
+        return;
+    }
     driver_.makeCurrent();
     try {
         enter();
@@ -60,7 +69,7 @@ Visit::~Visit() {
     if (nested_) return;
     if (state_ != State::Ours) driver_.touched.end();
     if (state_ == State::Restored) driver_.state_->restore();
-    if (driver_.asksErrors()) driver_.drain();
+    if (driver_.asksErrors() && !driver_.gone_) driver_.drain();
     driver_.visited_ = false;
     Driver::setCurrent(before_);
 }

@@ -1,8 +1,36 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "gl/functions.hpp"
+
+namespace hostile {
+
+// Numbers that the header of GL 4.1 core does not have.
+inline constexpr GLenum kAlphaTest = 0x0BC0, kPointSmooth = 0x0B10, kPointSprite = 0x8861,
+                        kPolygonStipple = 0x0B42, kClampFragmentColour = 0x891B,
+                        kPointSizeMin = 0x8126, kPointSizeMax = 0x8127;
+
+inline constexpr GLenum kTargets[11] = {GL_TEXTURE_1D,
+                                        GL_TEXTURE_2D,
+                                        GL_TEXTURE_3D,
+                                        GL_TEXTURE_1D_ARRAY,
+                                        GL_TEXTURE_2D_ARRAY,
+                                        GL_TEXTURE_RECTANGLE,
+                                        GL_TEXTURE_BUFFER,
+                                        GL_TEXTURE_CUBE_MAP,
+                                        GL_TEXTURE_CUBE_MAP_ARRAY,
+                                        GL_TEXTURE_2D_MULTISAMPLE,
+                                        GL_TEXTURE_2D_MULTISAMPLE_ARRAY};
+
+inline int integer(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+}  // namespace hostile
 
 /// A host whose context is in every state that Sunder should not notice. Made and used where its
 /// context is current; its objects live as long as that.

@@ -99,6 +99,22 @@ TEST_CASE("objects that outlive their context are let go, and nothing is called"
     CHECK_NOTHROW(fence.reset());
 }
 
+TEST_CASE("a world that outlives the host's context is let go of when it is told") {
+    auto context = gl::createHeadlessContext();
+    gl::Driver guest(context->loadFunction(), "a host's", gl::Driver::Owner::Host);
+    std::optional<Guest<gpu::GatherSolver>> solver;
+    solver.emplace(guest);
+    context.reset();
+    guest.contextGone();
+    CHECK_THROWS_AS(solver->advance(1), ContextError);
+    CHECK_THROWS_WITH(solver->advance(1), Catch::Contains("has been destroyed"));
+    // Without a context, a call would end the program.
+    gl::Functions none{};
+    guest.functions() = none;
+    CHECK_NOTHROW(solver.reset());
+    CHECK(gl::Driver::current() == nullptr);
+}
+
 TEST_CASE("worlds that are made and dropped leave no GL object behind") {
     makeAndDrop<gpu::GatherSolver>(4);
     makeAndDrop<gpu::ScatterSolver>(4);
