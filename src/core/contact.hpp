@@ -78,7 +78,7 @@ inline constexpr int kContactInterval = 4;        ///< steps
 inline constexpr double kSweptWay = 0.1;          ///< sums of radii
 
 /// α for a restitution e of 0 to 1: the one at which two spheres that meet head on part with e
-/// times the speed, worked out with the very steps the solvers take. Restitutions below about 0.13
+/// times the speed, worked out with the very steps the solvers take. Restitutions below about 0.19
 /// get kInelasticDamping.
 double contactDamping(double restitution);
 

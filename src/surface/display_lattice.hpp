@@ -18,7 +18,7 @@ namespace sunder::surface {
 ///   on each edge of a cell when that is its size, as in the thesis.
 /// - Points on the body's outside stay on it, and its edges stay straight.
 ///
-/// No section folds over itself: amplitudes end at half a cell, and displacements that turn a
+/// No section folds over itself: amplitudes end at 0.45 of a cell, and displacements that turn a
 /// piece of the lattice inside out are reduced until none is.
 class DisplayLattice {
   public:
