@@ -115,6 +115,11 @@ void main() {
         float lighter = min(1.0, loadShare(record, state) / share);
         state.velocity.xyz *= lighter;
         state.angularMomentum *= vec4(vec3(lighter), lighter * lighter);
+    } else if (state.position.w > 0.0 && record.inertia.w == 0.0) {
+        // Fixed, or moved by whoever puts it somewhere.
+        state.position.xyz += stepSize * state.velocity.xyz;
+        vec3 momentum = state.angularMomentum.xyz;
+        state.orientation = turnedFreely(record, state.orientation, momentum, stepSize, state.angularMomentum.w);
     }
     moved[0] = state.position;
     moved[1] = state.orientation;

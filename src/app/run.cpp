@@ -13,13 +13,13 @@
 #include "app/run_options.hpp"
 #include "app/run_report.hpp"
 #include "app/start.hpp"
+#include "core/limit_notes.hpp"
 #include "core/loss_notes.hpp"
 #include "files/held_signals.hpp"
 #include "files/utf8_path.hpp"
 #include "files/write_file.hpp"
 #include "image/image.hpp"
 #include "render/legend.hpp"
-#include "scene/limit_warnings.hpp"
 #include "scene/scene.hpp"
 #include "scene/vtu.hpp"
 #include "sim/simulation.hpp"
@@ -169,8 +169,8 @@ int run(RunOptions options) {
     std::optional<FramePainter> painter;
     if (!sinks.empty()) painter.emplace(scene, simulation, *context, settings, wallColour(options));
     if (context) context->check();
-    for (const std::string& warning : scene::limitWarnings(scene, world))
-        std::cerr << "sunder: note: " << warning << '\n';
+    for (const std::string& note : core::limitNotes(world))
+        std::cerr << "sunder: note: " << note << '\n';
     // Before signals are held: what interrupts it finds nothing to be finished.
     simulation.setState(startOf(scene, world));
 

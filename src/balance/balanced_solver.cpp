@@ -20,7 +20,8 @@ std::vector<int> cellCounts(const World& world) {
 
 }  // namespace
 
-BalancedSolver::BalancedSolver(const World& world, const gpu::WorldBuffers& buffers, int threads)
+BalancedSolver::BalancedSolver(const World& world, const gpu::WorldBuffers& buffers,
+                               const cpu::Threads& threads)
     : world_(world),
       gather_(world, buffers),
       cpu_(world, threads),

@@ -15,8 +15,9 @@ namespace sunder::balance {
 class BalancedSolver : public gpu::GpuSolver {
   public:
     /// Throws InputError when the world is too large for the device. `world` and `buffers` must
-    /// outlive it. threads: of `cpu`, 0 for one per core.
-    BalancedSolver(const core::World& world, const gpu::WorldBuffers& buffers, int threads = 0);
+    /// outlive it. threads: of `cpu`.
+    BalancedSolver(const core::World& world, const gpu::WorldBuffers& buffers,
+                   const cpu::Threads& threads = {});
 
     std::string_view name() const override { return "auto"; }
     void advance(int steps) override;

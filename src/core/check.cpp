@@ -141,6 +141,7 @@ void check(const ObjectDescription& object, const Complain& complain) {
     const auto given = [&](std::string_view key) {
         if (key == "velocity") return !object.velocity.isZero(0);
         if (key == "spin") return !object.spin.isZero(0);
+        if (key == "fixed") return object.fixed;
         return key == "hung_from" && object.hungFrom.has_value();
     };
     checkMotion(object, given, complain);
@@ -242,6 +243,11 @@ void checkMotion(const ObjectDescription& object,
                                   "; leave it out, or leave fixed out");
         if (!object.position) missing("");
     }
+    if (object.kinematic)
+        for (const char* key : {"fixed", "hung_from"})
+            if (given(key))
+                complain(key, "a kinematic object is moved by whoever puts it somewhere; leave " +
+                                  std::string(key) + " out, or leave kinematic out");
     if (object.hungFrom) {
         if (!object.position) missing(", where it hangs at first");
         if (!((*object.hungFrom - *object.position).norm() >= 1e-3))
@@ -279,7 +285,9 @@ void checkEvent(const EventDescription& event, std::size_t bodies, const Complai
 
 void checkThrown(const ObjectDescription& object, const Complain& complain) {
     const std::string name = object.name.empty() ? "the object" : inQuotes(object.name);
-    if (object.fixed) complain("object", name + " is fixed; only others can be thrown");
+    if (object.unyielding())
+        complain("object", name + " is " + (object.fixed ? "fixed" : "kinematic") +
+                               "; only others can be thrown");
     if (object.hungFrom)
         complain("object", name + " hangs from a chain; give it a velocity instead of throwing it");
 }

@@ -79,10 +79,10 @@ std::uint64_t usableMemory() {
 void requireMemory(std::int64_t cells, std::uint64_t usable) {
     const std::uint64_t needed = kBytesPerCell * static_cast<std::uint64_t>(cells);
     if (needed <= usable) return;
-    throw InputError("the world is too large for this machine's memory: " + std::to_string(cells) +
-                     " cells take at least " + gigabytes(needed) + ", and there are " +
-                     gigabytes(usable) + "; use at most " + std::to_string(usable / kBytesPerCell) +
-                     " cells");
+    throw MemoryError("the world is too large for this machine's memory: " + std::to_string(cells) +
+                      " cells take at least " + gigabytes(needed) + ", and there are " +
+                      gigabytes(usable) + "; use at most " +
+                      std::to_string(usable / kBytesPerCell) + " cells");
 }
 
 }  // namespace sunder::core

@@ -50,7 +50,9 @@ Object makeObject(const ObjectDescription& d) {
             object.core = d.halfSize - Vec3::Constant(object.radius);
             break;
     }
-    if (!d.fixed) {
+    if (d.kinematic) {
+        object.inverseInertia.setOnes();
+    } else if (!d.fixed) {
         object.inverseMass = 1 / d.mass;
         object.inverseInertia = (d.mass * inertia(d)).cwiseInverse();
     }
@@ -132,6 +134,8 @@ ObjectState moving(const ObjectDescription& d, const Vec3& position, const Vec3&
     state.orientation = d.orientation;
     if (d.fixed) return state;
     state.velocity = velocity;
+    state.angularMomentum = spin;
+    if (d.kinematic) return state;
     state.angularMomentum =
         d.orientation * (d.mass * inertia(d)).cwiseProduct(d.orientation.conjugate() * spin).eval();
     return state;

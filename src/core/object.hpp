@@ -31,18 +31,25 @@ struct ObjectDescription {
     double restitution = 0.3;  ///< e, 1, 0 to 1; likewise
     double drag = 0.05;        ///< 1/s, 0 to 1000, of motion and spin
     bool fixed = false;        ///< an obstacle: never moves, has no velocity, spin or chain
+    /// Moves as it is told to and by nothing else: velocity and spin stay what they are until it is
+    /// put somewhere (Solver::putObject()). Neither thrown nor hung.
+    bool kinematic = false;
     /// m, each −1e4 to 1e4: on a chain from here, as long as the way there at first, at least
     /// 0.001.
     std::optional<Vec3> hungFrom;
     Vec3 colour{0.25, 0.25, 0.28};  ///< linear RGB, each 0 to 1
     bool mayOverlap = false;        ///< when the world begins (core/overlap.hpp)
     std::string where;  ///< for error messages, for example "balls.toml:9: object 1: position"
+
+    /// Whether nothing that pushes it moves it.
+    bool unyielding() const { return fixed || kinematic; }
 };
 
 /// Puts an object somewhere and gives it a velocity.
 struct ThrowDescription {
     double time = 0;         ///< s, 0 to 1e5
-    int object = 0;          ///< index into WorldDescription::objects; neither fixed nor on a chain
+    int object = 0;          ///< index into WorldDescription::objects; neither fixed, kinematic nor
+                             ///< on a chain
     Vec3 from{0, 0, 0};      ///< m, of its centre, each −1e4 to 1e4
     Vec3 velocity{0, 0, 0};  ///< m/s, each −1e4 to 1e4
     Vec3 spin{0, 0, 0};      ///< rad/s, each −1e4 to 1e4
@@ -53,8 +60,9 @@ struct ThrowDescription {
 struct Object {
     Vec3 core{0, 0, 0};            ///< m, half its edges
     double radius = 0;             ///< m
-    double inverseMass = 0;        ///< 1/kg; 0: fixed
-    Vec3 inverseInertia{0, 0, 0};  ///< 1/(kg·m²), about its own axes; 0: fixed
+    double inverseMass = 0;        ///< 1/kg; 0: fixed or kinematic
+    /// 1/(kg·m²), about its own axes; 0: fixed; 1: kinematic, whose angular momentum is its spin.
+    Vec3 inverseInertia{0, 0, 0};
     double friction = 0, restitution = 0, drag = 0;
     double chain = 0;  ///< m; 0: none
     Vec3 hungFrom{0, 0, 0};

@@ -114,7 +114,7 @@ class Check {
         Thing thing{called("object", object.name, index),
                     object.where,
                     object.mayOverlap,
-                    object.fixed,
+                    object.unyielding(),
                     2 * object.halfSize.minCoeff(),
                     {}};
         thing.object = static_cast<int>(things_.size());

@@ -97,7 +97,7 @@ class Things {
         return !query_.absentObjects[thing - bodies()] && object(thing - bodies()).position;
     }
     /// Held by what the world has from the start; it does not move whatever it carries.
-    bool holds(int index) const { return object(index).fixed || object(index).hungFrom; }
+    bool holds(int index) const { return object(index).unyielding() || object(index).hungFrom; }
     /// In the world from the start, and still, with nothing to hold it.
     bool lies(int index) const {
         const auto& throws = world_.throws();

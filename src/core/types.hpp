@@ -14,6 +14,11 @@ struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// Something is too large for the memory there is: of the machine or of a GPU.
+struct MemoryError : InputError {
+    using InputError::InputError;
+};
+
 /// No usable GL context, or a device that cannot do what GL 4.1 promises. Exit code 3.
 struct ContextError : std::runtime_error {
     using std::runtime_error::runtime_error;

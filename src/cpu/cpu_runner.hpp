@@ -1,15 +1,11 @@
 #pragma once
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-
 #include <optional>
 
 #include "cpu/cpu_body_run.hpp"
 #include "cpu/cpu_contact.hpp"
 #include "cpu/cpu_objects.hpp"
 #include "cpu/cpu_solver.hpp"
-#include "cpu/flush_denormals.hpp"
-#include "cpu/parallel.hpp"
+#include "cpu/team.hpp"
 
 namespace sunder::cpu {
 
@@ -20,11 +16,10 @@ struct CpuSolver::BodyRun : cpu::BodyRun {
 
 /// The threads, and how bodies are shared out to them.
 struct CpuSolver::Runner {
+    explicit Runner(const Threads& threads) : team(threads) {}
+
     std::vector<cpu::Law> laws;
-    int threads = 1;
-    /// oneTBB hands out no more threads than the machine has cores unless told to.
-    std::optional<tbb::global_control> more;
-    std::optional<tbb::task_arena> arena;
+    Team team;
     int largeCells = 0;             ///< a body or island with more of them is split
     std::vector<int> whole, split;  ///< bodies: one thread each; all threads on each in turn
     std::optional<cpu::Contact> contact;
@@ -38,27 +33,6 @@ struct CpuSolver::Runner {
     /// Awake bodies that may touch something, in groups that have nothing to do with each other;
     /// with objects, the first are those near one and what hangs on them.
     std::vector<std::vector<int>> islands;
-
-    /// Calls work(0) .. work(count − 1), shared out to the threads.
-    template <class Work>
-    void forEach(int count, const Work& work) const {
-        const auto guarded = [&](int i) {
-            const cpu::FlushDenormals flush;
-            work(i);
-        };
-        if (threads == 1 || count == 1) {
-            for (int i = 0; i < count; ++i) guarded(i);
-        } else {
-            cpu::parallelFor(count, guarded);
-        }
-    }
-    template <class Work>
-    void inArena(const Work& work) {
-        if (arena)
-            arena->execute(work);
-        else
-            work();
-    }
 };
 
 }  // namespace sunder::cpu

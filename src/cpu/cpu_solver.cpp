@@ -4,7 +4,6 @@
 
 #include "core/incident.hpp"
 #include "cpu/cpu_runner.hpp"
-#include "cpu/parallel.hpp"
 
 namespace sunder::cpu {
 
@@ -17,17 +16,9 @@ constexpr int kVectorsPerPart = 16;
 
 }  // namespace
 
-CpuSolver::CpuSolver(const World& world, int threads)
-    : world_(world), events_(world), runner_(std::make_unique<Runner>()) {
+CpuSolver::CpuSolver(const World& world, const Threads& threads)
+    : world_(world), events_(world), runner_(std::make_unique<Runner>(threads)) {
     Runner& runner = *runner_;
-    const int cores = tbb::this_task_arena::max_concurrency();
-    runner.threads = threads > 0 ? threads : cores;
-    if (runner.threads > 1) {
-        if (runner.threads > cores)
-            runner.more.emplace(tbb::global_control::max_allowed_parallelism,
-                                static_cast<std::size_t>(runner.threads));
-        runner.arena.emplace(runner.threads);
-    }
     runner.laws = cpu::makeLaws(world);
     for (int body = 0; body < static_cast<int>(world.bodies().size()); ++body)
         bodies_.push_back(std::make_unique<BodyRun>(world, body, runner.laws, events_));
@@ -56,13 +47,13 @@ void CpuSolver::shareOut() {
     int cells = 0;
     for (const auto& run : bodies_) cells += run->held ? run->cells() : 0;
     // A body is split when one thread alone would still be at it after the others were done.
-    const int fairShare = cells / (2 * runner.threads);
+    const int fairShare = cells / (2 * runner.team.size());
     runner.largeCells = std::max(fairShare, 2 * kVectorsPerPart * cpu::kLanes);
     for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
         const BodyRun& run = *bodies_[body];
         if (!run.held) continue;
         const bool large = run.cells() > runner.largeCells;
-        (runner.threads > 1 && large ? runner.split : runner.whole).push_back(body);
+        (runner.team.size() > 1 && large ? runner.split : runner.whole).push_back(body);
     }
     if (runner.contact) runner.contact->forget();
 }
@@ -71,7 +62,7 @@ CpuSolver::~CpuSolver() = default;
 
 void CpuSolver::advance(int steps) {
     Runner& runner = *runner_;
-    runner.inArena([&] {
+    runner.team.run([&] {
         if (!runner.contact || (runner.whole.empty() && runner.split.empty())) {
             advanceTo(step_ + steps, false);
             return;
@@ -125,17 +116,17 @@ void CpuSolver::advanceAlone(int steps) {
     const auto together = [&](int body) {
         if (runner.touching[body]) return;
         bodies_[body]->advance(step_, steps, [&](int vectors, const auto& work) {
-            const int parts = std::min({cpu::BodyRun::kMaxParts, 4 * runner.threads,
+            const int parts = std::min({cpu::BodyRun::kMaxParts, 4 * runner.team.size(),
                                         std::max(1, vectors / kVectorsPerPart)});
             const auto stretch = [&](int part) {
-                const cpu::FlushDenormals flush;
                 work(vectors * part / parts, vectors * (part + 1) / parts, part);
             };
-            cpu::parallelFor(parts, stretch, tbb::simple_partitioner());
+            runner.team.forEach(parts, stretch, true);
         });
     };
     for (const int body : runner.split) together(body);
-    runner.forEach(static_cast<int>(runner.whole.size()), [&](int i) { alone(runner.whole[i]); });
+    runner.team.forEach(static_cast<int>(runner.whole.size()),
+                        [&](int i) { alone(runner.whole[i]); });
 }
 
 void CpuSolver::advanceTouching(int steps) {
@@ -144,12 +135,13 @@ void CpuSolver::advanceTouching(int steps) {
     for (const std::vector<int>& island : runner.islands) {
         int cells = 0;
         for (const int body : island) cells += bodies_[body]->cells();
-        if (runner.threads > 1 && cells > runner.largeCells)
+        if (runner.team.size() > 1 && cells > runner.largeCells)
             advanceLargeIsland(steps, island);
         else
             small.push_back(&island);
     }
-    runner.forEach(static_cast<int>(small.size()), [&](int i) { advanceIsland(steps, *small[i]); });
+    runner.team.forEach(static_cast<int>(small.size()),
+                        [&](int i) { advanceIsland(steps, *small[i]); });
 }
 
 bool CpuSolver::hasObjects(const std::vector<int>& island) const {
@@ -208,7 +200,7 @@ void CpuSolver::advanceLargeIsland(int steps, const std::vector<int>& bodies) {
         }
     }
     const auto forAwake = [&](const auto& work) {
-        runner.forEach(static_cast<int>(parts.size()), [&](int i) {
+        runner.team.forEach(static_cast<int>(parts.size()), [&](int i) {
             if (!parts[i].run->asleep()) work(parts[i]);
         });
     };
@@ -251,7 +243,7 @@ void CpuSolver::searchContacts() {
         }
         if (awake)
             contact.search(status, [&](int count, const std::function<void(int)>& work) {
-                runner.forEach(count, work);
+                runner.team.forEach(count, work);
             });
         else
             contact.rest();
@@ -432,8 +424,8 @@ double CpuSolver::kineticEnergy() const {
         for (int first = 0; first < vectors; first += kVectors)
             parts.push_back({body, first, std::min(first + kVectors, vectors)});
     }
-    runner_->inArena([&] {
-        runner_->forEach(static_cast<int>(parts.size()), [&](int i) {
+    runner_->team.run([&] {
+        runner_->team.forEach(static_cast<int>(parts.size()), [&](int i) {
             parts[i].energy = bodies_[parts[i].body]->kineticEnergy(parts[i].first, parts[i].end);
         });
     });
@@ -453,7 +445,7 @@ void CpuSolver::scaleVelocities(double factor) {
 }
 
 int CpuSolver::threads() const {
-    return runner_->threads;
+    return runner_->team.size();
 }
 bool CpuSolver::asleep(int body) const {
     return bodies_[body]->held && bodies_[body]->asleep();

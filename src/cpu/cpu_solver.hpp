@@ -4,6 +4,7 @@
 
 #include "core/body_host.hpp"
 #include "core/solver.hpp"
+#include "cpu/threads.hpp"
 
 namespace sunder::cpu {
 
@@ -13,8 +14,8 @@ namespace sunder::cpu {
 /// Bodies at rest sleep (core/sleep.hpp). Bodies that it does not hold are in contact with nothing.
 class CpuSolver : public core::Solver, public core::BodyHost {
   public:
-    /// `world` must outlive the solver. threads: 0 for one per core.
-    explicit CpuSolver(const core::World& world, int threads = 0);
+    /// `world` must outlive the solver.
+    explicit CpuSolver(const core::World& world, const Threads& threads = {});
     ~CpuSolver() override;
 
     std::string_view name() const override { return "cpu"; }

@@ -106,7 +106,7 @@ void Objects::wake(int object) {
 
 bool Objects::anyAwake() const {
     for (int object = 0; object < static_cast<int>(states_.size()); ++object)
-        if (states_[object].present && !still(object)) return true;
+        if (states_[object].present && (!still(object) || speed(object) > 0)) return true;
     return false;
 }
 
@@ -334,8 +334,19 @@ void Objects::apply(const Active& active, Cells& cells) {
 }
 
 void Objects::move() {
-    for (int object = 0; object < static_cast<int>(states_.size()); ++object)
-        if (states_[object].present && !still(object)) move(object, impulses_[object]);
+    for (int object = 0; object < static_cast<int>(states_.size()); ++object) {
+        if (!states_[object].present) continue;
+        if (world_.objects()[object].inverseMass == 0)
+            carry(object);
+        else if (!asleep_[object])
+            move(object, impulses_[object]);
+    }
+}
+
+void Objects::carry(int object) {
+    ObjectState& state = states_[object];
+    state.position += world_.step() * state.velocity;
+    state.orientation = turnedFreely(world_.objects()[object], state, world_.step());
 }
 
 void Objects::move(int index, const Impulse& given) {

@@ -104,6 +104,8 @@ class Objects {
     void apply(const Active& active, Cells& cells);
     void findDisturbed();
     void move(int object, const Impulse& given);
+    /// Of a kinematic object.
+    void carry(int object);
     double speed(int object) const;
     bool moves(int object) const { return speed(object) > core::kStirringSpeed; }
     /// It does not yield: fixed, or asleep.

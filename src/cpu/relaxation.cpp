@@ -56,9 +56,10 @@ WorldDescription alone(const World& world, const StandingGroup& group) {
     for (const int body : group.bodies) copy.bodies.push_back(from.bodies[body]);
     for (const int object : group.objects) copy.objects.push_back(from.objects[object]);
     for (const ObjectDescription& object : from.objects) {
-        if (!object.position || !(object.fixed || object.hungFrom)) continue;
+        if (!object.position || !(object.unyielding() || object.hungFrom)) continue;
         copy.objects.push_back(object);
         copy.objects.back().fixed = true;
+        copy.objects.back().kinematic = false;
         copy.objects.back().hungFrom.reset();
         copy.objects.back().velocity.setZero();
         copy.objects.back().spin.setZero();
@@ -159,7 +160,8 @@ double farthestShift(const World& world, const ObjectDescription& object, const 
 /// Advances a copy and stops it where its kinetic energy has passed a maximum.
 class Relaxation::Damping {
   public:
-    Damping(const World& copy, const Shape& from) : copy_(copy), solver_(copy) {
+    Damping(const World& copy, const Shape& from, const Threads& threads)
+        : copy_(copy), solver_(copy, threads) {
         state_ = copy.initialState();
         if (!from.displacement.empty()) {
             state_.displacement = from.displacement;
@@ -225,8 +227,8 @@ class Relaxation::Damping {
     bool stopped_ = false;
 };
 
-Relaxation::Relaxation(const World& world, const StandingGroup& group)
-    : world_(world), group_(group), alone_(alone(world, group)) {}
+Relaxation::Relaxation(const World& world, const StandingGroup& group, const Threads& threads)
+    : world_(world), group_(group), threads_(threads), alone_(alone(world, group)) {}
 
 Relaxation::Outcome Relaxation::run(State& state, int steps,
                                     const std::function<void(double)>& progress) {
@@ -256,7 +258,7 @@ double Relaxation::stepStretch() const {
 }
 
 Relaxation::Outcome Relaxation::relax(const World& copy, State& state) {
-    Damping damping(copy, reached_);
+    Damping damping(copy, reached_, threads_);
     bool compare = false;
     while (stepsLeft_ >= kLook) {
         damping.advance();

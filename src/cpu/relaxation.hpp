@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/standing.hpp"
+#include "cpu/threads.hpp"
 
 namespace sunder::cpu {
 
@@ -19,8 +20,8 @@ class Relaxation {
         OutOfSteps  ///< what was reached, if it got near equilibrium at all, is in the state
     };
 
-    /// Both must outlive it.
-    Relaxation(const core::World& world, const core::StandingGroup& group);
+    /// `world` and `group` must outlive it.
+    Relaxation(const core::World& world, const core::StandingGroup& group, const Threads& threads);
 
     /// Writes displacements of the group's bodies, the static tractions of their bonds and the
     /// places of its objects into `state`, which is the world's. `progress` hears the share of the
@@ -48,6 +49,7 @@ class Relaxation {
 
     const core::World& world_;
     const core::StandingGroup& group_;
+    Threads threads_;
     core::WorldDescription alone_;  ///< the copy's
     Shape reached_;
     int stepsLeft_ = 0, steps_ = 0;

@@ -37,9 +37,10 @@ bool alike(const BodyDescription& a, const BodyDescription& b) {
 
 class Settling {
   public:
-    Settling(const World& world, const SettleProgress& progress)
+    Settling(const World& world, const SettleProgress& progress, const Threads& threads)
         : world_(world),
           progress_(progress),
+          threads_(threads),
           start_{world.initialState(), {}},
           standing_(world),
           groupOf_(world.bodies().size(), -1),
@@ -70,7 +71,7 @@ class Settling {
             giveUp(group);
             return;
         }
-        Relaxation relaxation(world_, group);
+        Relaxation relaxation(world_, group, threads_);
         const auto outcome = relaxation.run(start_.state, steps_, [&](double share) {
             const double groups = groupsDone_ + 1. + static_cast<double>(open_.size());
             if (progress_) progress_((groupsDone_ + share) / groups);
@@ -152,7 +153,7 @@ class Settling {
     bool mayHaveTwins(const StandingGroup& group) const {
         const WorldDescription& d = world_.description();
         const auto holds = [](const ObjectDescription& object) {
-            return object.position && (object.fixed || object.hungFrom);
+            return object.position && (object.unyielding() || object.hungFrom);
         };
         return group.bodies.size() == 1 && group.objects.empty() && !d.room &&
                (!d.contact || std::none_of(d.objects.begin(), d.objects.end(), holds));
@@ -204,6 +205,7 @@ class Settling {
 
     const World& world_;
     const SettleProgress& progress_;
+    const Threads& threads_;
     Start start_;
     StandingQuery standing_;
     std::deque<StandingGroup> open_;
@@ -216,8 +218,8 @@ class Settling {
 
 }  // namespace
 
-Start settledStart(const World& world, const SettleProgress& progress) {
-    return Settling(world, progress).run();
+Start settledStart(const World& world, const SettleProgress& progress, const Threads& threads) {
+    return Settling(world, progress, threads).run();
 }
 
 std::string restlessWarning(const Start& start) {

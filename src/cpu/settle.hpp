@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/world.hpp"
+#include "cpu/threads.hpp"
 
 namespace sunder::cpu {
 
@@ -24,7 +25,8 @@ using SettleProgress = std::function<void(double)>;
 /// it, weight would be an impact: it would act at once on what bears nothing yet, and what an
 /// impact's stress loses to the limit of E is scaled back. What flies, falls or topples begins as
 /// described; so do objects that hang. The same bits for any number of threads; bounded work.
-Start settledStart(const core::World&, const SettleProgress& progress = {});
+Start settledStart(const core::World&, const SettleProgress& progress = {},
+                   const Threads& threads = {});
 
 /// What to tell a person of a start, as one sentence; empty where there is nothing.
 std::string restlessWarning(const Start&);

@@ -24,8 +24,8 @@ void failContextLost() {
 }
 
 void failMemory(const std::string& what) {
-    throw InputError("the device has no memory " + (what.empty() ? "left" : "for the " + what) +
-                     "; use fewer cells, smaller pictures or the solver cpu");
+    throw MemoryError("the device has no memory " + (what.empty() ? "left" : "for the " + what) +
+                      "; use fewer cells, smaller pictures or the solver cpu");
 }
 
 void throwIfFatal(GLenum error) {

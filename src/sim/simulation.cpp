@@ -7,12 +7,13 @@ namespace sunder::sim {
 
 using namespace core;
 
-Simulation::Simulation(std::shared_ptr<const Layout> layout, const SolverInfo& info, int threads,
-                       std::size_t incidents)
+Simulation::Simulation(std::shared_ptr<const Layout> layout, const SolverInfo& info,
+                       const cpu::Threads& threads, std::size_t incidents)
     : layout_(std::move(layout)),
+      threads_(threads),
       findsIncidents_(incidents > 0),
       incidents_(std::max<std::size_t>(incidents, 1)) {
-    adopt(info.make(*layout_, threads), info);
+    adopt(info.make(*layout_, threads_), info);
 }
 
 void Simulation::adopt(MadeSolver made, const SolverInfo& info) {
@@ -22,14 +23,14 @@ void Simulation::adopt(MadeSolver made, const SolverInfo& info) {
     state_.reset();
 }
 
-void Simulation::setSolver(const SolverInfo& info, int threads) {
-    MadeSolver next = info.make(*layout_, threads);
+void Simulation::setSolver(const SolverInfo& info) {
+    MadeSolver next = info.make(*layout_, threads_);
     next.solver->setState(state());
     adopt(std::move(next), info);
 }
 
 const cpu::Start& Simulation::start(const cpu::SettleProgress& progress) {
-    if (!start_) start_ = cpu::settledStart(world(), progress);
+    if (!start_) start_ = cpu::settledStart(world(), progress, threads_);
     return *start_;
 }
 

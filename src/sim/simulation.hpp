@@ -15,10 +15,10 @@ namespace sunder::sim {
 /// then.
 class Simulation {
   public:
-    /// threads: of a threaded solver, 0 for one per core. `incidents`: how many are kept until they
-    /// are taken; 0: none are looked for. Throws InputError where the device has no room for the
-    /// solver.
-    Simulation(std::shared_ptr<const Layout>, const SolverInfo&, int threads = 0,
+    /// threads: of threaded solvers, and to find how the world begins. `incidents`: how many are
+    /// kept until they are taken; 0: none are looked for. Throws InputError where the device has
+    /// no room for the solver.
+    Simulation(std::shared_ptr<const Layout>, const SolverInfo&, const cpu::Threads& threads = {},
                std::size_t incidents = 0);
 
     const core::World& world() const { return layout_->world(); }
@@ -27,7 +27,7 @@ class Simulation {
     const SolverInfo& solverInfo() const { return *info_; }
     /// Goes on with another solver from the same state. Throws InputError, and then nothing has
     /// changed.
-    void setSolver(const SolverInfo&, int threads = 0);
+    void setSolver(const SolverInfo&);
 
     /// How the world begins, found when it is first asked for. That may take seconds.
     const cpu::Start& start(const cpu::SettleProgress& progress = {});
@@ -65,6 +65,7 @@ class Simulation {
     void adopt(MadeSolver, const SolverInfo&);
 
     std::shared_ptr<const Layout> layout_;
+    cpu::Threads threads_;
     bool findsIncidents_;
     core::IncidentRing incidents_;
     const SolverInfo* info_ = nullptr;

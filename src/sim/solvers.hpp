@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/solver.hpp"
+#include "cpu/threads.hpp"
 #include "sim/layout.hpp"
 
 namespace sunder::gpu {
@@ -24,9 +25,9 @@ struct SolverInfo {
     std::string title;  ///< one line
     bool gpu;           ///< needs the layout's buffers
     bool threaded;      ///< takes a number of threads
-    /// The layout must outlive the solver. `threads` is for threaded ones; 0: one per core. Throws
-    /// InputError where the device has no room for it.
-    MadeSolver (*make)(const Layout&, int threads);
+    /// The layout must outlive the solver. The threads are for threaded ones. Throws InputError
+    /// where the device has no room for it.
+    MadeSolver (*make)(const Layout&, const cpu::Threads&);
 };
 
 /// Those that need no GPU: `cpu`, `reference`.

@@ -17,7 +17,7 @@ namespace {
 
 /// arguments: after world and buffers.
 template <class Made, class... Arguments>
-sim::MadeSolver make(const sim::Layout& layout, Arguments... arguments) {
+sim::MadeSolver make(const sim::Layout& layout, const Arguments&... arguments) {
     assert(layout.buffers());
     auto solver = std::make_unique<Made>(layout.world(), *layout.buffers(), arguments...);
     gpu::GpuSolver* const same = solver.get();
@@ -31,14 +31,18 @@ const std::vector<sim::SolverInfo>& solvers() {
         std::vector<sim::SolverInfo> all = {
             {"gather", "GPU: a fragment per cell and per node, no blending (GL 4.1; the default)",
              true, false,
-             [](const sim::Layout& layout, int) { return make<gpu::GatherSolver>(layout); }},
+             [](const sim::Layout& layout, const cpu::Threads&) {
+                 return make<gpu::GatherSolver>(layout);
+             }},
             {"scatter",
              "GPU, the thesis's method: additive blending and transform feedback (GL 4.1)", true,
              false,
-             [](const sim::Layout& layout, int) { return make<gpu::ScatterSolver>(layout); }},
+             [](const sim::Layout& layout, const cpu::Threads&) {
+                 return make<gpu::ScatterSolver>(layout);
+             }},
             {"auto", "shares bodies out between cpu and gather by measured cost, both at once",
              true, true,
-             [](const sim::Layout& layout, int threads) {
+             [](const sim::Layout& layout, const cpu::Threads& threads) {
                  return make<balance::BalancedSolver>(layout, threads);
              }},
         };

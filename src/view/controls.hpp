@@ -27,7 +27,7 @@ class Controls {
     enum class Drag { None, Hit, Orbit, Pan };
     /// Where a button went down.
     struct Aim {
-        Spot spot;
+        surface::Spot spot;
         core::Vec3 direction;
     };
 

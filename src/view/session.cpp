@@ -280,7 +280,7 @@ Vec3 Session::rayAt(double x, double y) const {
                       area.aspect());
 }
 
-void Session::hit(const Spot& spot, const Vec3& direction, double seconds) {
+void Session::hit(const surface::Spot& spot, const Vec3& direction, double seconds) {
     if (settings.tool == Tool::Look) return look(spot);
     const double change = settings.tool == Tool::Shoot ? settings.shot : settings.push * seconds;
     const double sign = settings.tool == Tool::Pull ? -1 : 1;
@@ -293,7 +293,7 @@ void Session::hit(const Spot& spot, const Vec3& direction, double seconds) {
     everHit = true;
 }
 
-void Session::look(const Spot& spot) {
+void Session::look(const surface::Spot& spot) {
     if (spot.cell < 0) return;
     lookedAt = spot.cell;
     log.add("look", {{"cell", spot.cell}});
@@ -312,7 +312,7 @@ void Session::hitPreset(int number) {
     const Vec3 eye = camera.description().position;
     const Vec3 direction = (place - eye).normalized();
     // Where nothing is left at that place, whatever is around it is hit all the same.
-    const Spot spot = stage->pick(eye, direction).value_or(Spot{place, 0, -1, -1});
+    const surface::Spot spot = stage->pick(eye, direction).value_or(surface::Spot{.place = place});
     log.add("preset", {{"number", number}});
     constexpr double kTap = 0.05;  // s that a tap on a key counts for
     hit(spot, direction, kTap);

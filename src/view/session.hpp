@@ -91,9 +91,9 @@ class Session {
     /// Direction of what is at a place of the window.
     core::Vec3 rayAt(double x, double y) const;
     /// What the tool does at a spot, for `seconds` of simulated time where it goes on.
-    void hit(const Spot&, const core::Vec3& direction, double seconds);
+    void hit(const surface::Spot&, const core::Vec3& direction, double seconds);
     /// Reads the stress of what is there.
-    void look(const Spot&);
+    void look(const surface::Spot&);
     /// 1 to 9, as on a keypad: the bodies' lower left to their upper right.
     void hitPreset(int number);
     std::vector<Push> takePushes() { return std::exchange(pushes_, {}); }
@@ -132,7 +132,7 @@ class Session {
     Measurements measurements;
     ViewArea area;
     std::optional<int> lookedAt;           ///< cell whose stress is shown
-    std::optional<Spot> hovered;           ///< under the mouse
+    std::optional<surface::Spot> hovered;  ///< under the mouse
     bool help = false, measuring = false;  ///< shown
     bool everHit = false;
     std::filesystem::path folder;

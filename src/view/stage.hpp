@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "render/renderer.hpp"
-#include "view/picker.hpp"
+#include "surface/picker.hpp"
 #include "view/played_scene.hpp"
 
 namespace sunder::view {
@@ -21,7 +21,7 @@ class Stage {
           picker_(simulation.world(), renderer.displayMesh()) {}
 
     /// What is under a ray.
-    std::optional<Spot> pick(const core::Vec3& origin, const core::Vec3& direction) {
+    std::optional<surface::Spot> pick(const core::Vec3& origin, const core::Vec3& direction) {
         return picker_.pick(simulation.state(), origin, direction);
     }
 
@@ -40,7 +40,7 @@ class Stage {
     render::CellColours colours;
 
   private:
-    Picker picker_;
+    surface::Picker picker_;
 };
 
 }  // namespace sunder::view

@@ -6,7 +6,7 @@
 #include "catch.hpp"
 #include "scene/scene.hpp"
 #include "support/test_folder.hpp"
-#include "view/picker.hpp"
+#include "surface/picker.hpp"
 #include "view/settings.hpp"
 #include "view/shader_folder.hpp"
 
@@ -32,7 +32,7 @@ const surface::DisplayMesh& wallMesh() {
 }  // namespace
 
 TEST_CASE("A ray finds the spot on the wall at rest", "[view]") {
-    const Picker picker(wall(), wallMesh());
+    const surface::Picker picker(wall(), wallMesh());
     const State state = wall().initialState();
     for (const double x : {-1.4, -0.333, 0.0, 0.71, 1.49})
         for (const double y : {0.02, 0.9, 1.96}) {
@@ -55,7 +55,7 @@ TEST_CASE("A ray finds the spot on the wall at rest", "[view]") {
 }
 
 TEST_CASE("A ray finds the wall where it has gone", "[view]") {
-    const Picker picker(wall(), wallMesh());
+    const surface::Picker picker(wall(), wallMesh());
     State state = wall().initialState();
     for (Vec3& displacement : state.displacement) displacement = Vec3(0.7, 0.3, -1);
     const auto spot = picker.pick(state, Vec3(2, 1, 4), Vec3(0, 0, -1));
@@ -65,7 +65,7 @@ TEST_CASE("A ray finds the wall where it has gone", "[view]") {
 }
 
 TEST_CASE("A ray passes through the hole that a cell left", "[view]") {
-    const Picker picker(wall(), wallMesh());
+    const surface::Picker picker(wall(), wallMesh());
     State state = wall().initialState();
     const Vec3 origin(0.05, 1.05, 4), ahead(0, 0, -1);
     REQUIRE(picker.pick(state, origin, ahead));
@@ -107,7 +107,7 @@ TEST_CASE("A ray finds the object in front of the wall", "[view]") {
     scene.world.objects = {ball, box};
     const World world(scene.world);
     const surface::DisplayMesh mesh(world);
-    const Picker picker(world, mesh);
+    const surface::Picker picker(world, mesh);
     State state = world.initialState();
     const auto first = picker.pick(state, Vec3(0, 1, 4), Vec3(0, 0, -1));
     REQUIRE(first);

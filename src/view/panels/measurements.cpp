@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "core/diagnostics.hpp"
+#include "core/limit_notes.hpp"
 #include "core/loss_notes.hpp"
-#include "scene/limit_warnings.hpp"
 #include "view/panels/panels.hpp"
 
 namespace sunder::view {
@@ -101,8 +101,7 @@ void drawMeasurements(Session& session, Interface& ui) {
                {"Energy of bending", brief(m.diagnostics.elastic, "J")},
                {"Energy of height", brief(m.diagnostics.gravity, "J")},
                {"Fastest", brief(m.diagnostics.maxSpeed, "m/s")}});
-    for (const std::string& warning : scene::limitWarnings(session.scene(), world))
-        ImGui::TextWrapped("%s", warning.c_str());
+    for (const std::string& note : core::limitNotes(world)) ImGui::TextWrapped("%s", note.c_str());
     for (const std::string& note : lossNotes(world, session.stage->simulation.solver()))
         ImGui::TextWrapped("%s", note.c_str());
 

@@ -1,4 +1,4 @@
-#include "view/picker.hpp"
+#include "surface/picker.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -6,16 +6,21 @@
 #include <cmath>
 #include <limits>
 
-namespace sunder::view {
+namespace sunder::surface {
 
 using namespace core;
 
 namespace {
 
-/// Distance along the ray at which it enters a triangle's plane inside the triangle, from either
-/// side (Möller and Trumbore 1997); none where it passes by.
-std::optional<double> meetTriangle(const Vec3& origin, const Vec3& direction, const Vec3& a,
-                                   const Vec3& b, const Vec3& c) {
+struct Meeting {
+    double distance;  ///< m, along the ray
+    double u, v;      ///< place in the triangle: shares of its second and third corner
+};
+
+/// Where the ray enters a triangle, from either side (Möller and Trumbore 1997); none where it
+/// passes by.
+std::optional<Meeting> meetTriangle(const Vec3& origin, const Vec3& direction, const Vec3& a,
+                                    const Vec3& b, const Vec3& c) {
     const Vec3 ab = b - a, ac = c - a;
     const Vec3 p = direction.cross(ac);
     const double determinant = ab.dot(p);
@@ -27,12 +32,12 @@ std::optional<double> meetTriangle(const Vec3& origin, const Vec3& direction, co
     const double v = direction.dot(q) / determinant;
     if (v < 0 || u + v > 1) return std::nullopt;
     const double distance = ac.dot(q) / determinant;
-    return distance > 0 ? std::optional(distance) : std::nullopt;
+    return distance > 0 ? std::optional(Meeting{distance, u, v}) : std::nullopt;
 }
 
-std::optional<double> meetSphere(const Vec3& origin, const Vec3& direction, const Vec3& centre,
-                                 double radius) {
-    const Vec3 to = centre - origin;
+/// Around the origin.
+std::optional<double> meetSphere(const Vec3& origin, const Vec3& direction, double radius) {
+    const Vec3 to = -origin;
     const double along = to.dot(direction);
     const double inside = radius * radius - (to - along * direction).squaredNorm();
     if (inside < 0) return std::nullopt;
@@ -58,7 +63,7 @@ void keep(std::optional<Spot>& nearest, const Spot& spot) {
 
 }  // namespace
 
-Picker::Picker(const World& world, const surface::DisplayMesh& mesh)
+Picker::Picker(const World& world, const DisplayMesh& mesh)
     : world_(world),
       mesh_(mesh),
       start_(world.cellCount() + 1, 0),
@@ -73,7 +78,7 @@ Picker::Picker(const World& world, const surface::DisplayMesh& mesh)
     for (std::size_t i = 0; i < mesh.indices().size(); i += 3)
         triangles_[next[cellOf(i)]++] = static_cast<std::uint32_t>(i);
 
-    for (const surface::DisplayVertex& vertex : mesh.vertices()) {
+    for (const DisplayVertex& vertex : mesh.vertices()) {
         const int cell = static_cast<int>(vertex.cell);
         const Vec3 size = world.bodies()[world.bodyOf(cell)].cellSize;
         const Vec3 centre = world.restPosition(kCorners * cell) + size / 2;
@@ -111,18 +116,25 @@ std::optional<Spot> Picker::pick(const State& state, const Vec3& origin,
 void Picker::pickCell(const State& state, int cell, const Vec3& origin, const Vec3& direction,
                       std::optional<Spot>& nearest) const {
     for (std::uint32_t t = start_[cell]; t < start_[cell + 1]; ++t) {
-        std::array<Vec3, 3> corners;
+        std::array<Vec3, 3> corners, rest;
         bool hidden = false;
         for (int i = 0; i < 3 && !hidden; ++i) {
-            const surface::DisplayVertex& vertex =
-                mesh_.vertices()[mesh_.indices()[triangles_[t] + i]];
-            hidden = surface::displayHidden(state, vertex);
-            if (!hidden) corners[i] = surface::displayedPosition(world_, state, vertex);
+            const DisplayVertex& vertex = mesh_.vertices()[mesh_.indices()[triangles_[t] + i]];
+            hidden = displayHidden(state, vertex);
+            if (hidden) break;
+            corners[i] = displayedPosition(world_, state, vertex);
+            rest[i] = vertex.rest.cast<double>();
         }
         if (hidden) continue;
-        if (const auto distance =
-                meetTriangle(origin, direction, corners[0], corners[1], corners[2]))
-            keep(nearest, {origin + *distance * direction, *distance, cell, -1});
+        const auto meeting = meetTriangle(origin, direction, corners[0], corners[1], corners[2]);
+        if (!meeting) continue;
+        const auto& [distance, u, v] = *meeting;
+        keep(nearest,
+             {.place = origin + distance * direction,
+              .distance = distance,
+              .cell = cell,
+              .normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized(),
+              .rest = (1 - u - v) * rest[0] + u * rest[1] + v * rest[2]});
     }
 }
 
@@ -133,13 +145,25 @@ void Picker::pickObjects(const State& state, const Vec3& origin, const Vec3& dir
         const Object& shape = world_.objects()[i];
         if (!object.present) continue;
         const Eigen::Quaterniond turn = object.orientation.conjugate();
-        const auto distance = shape.core.isZero(0)
-                                  ? meetSphere(origin, direction, object.position, shape.radius)
-                                  : meetBox(turn * (origin - object.position), turn * direction,
-                                            shape.core + Vec3::Constant(shape.radius));
-        if (distance)
-            keep(nearest, {origin + *distance * direction, *distance, -1, static_cast<int>(i)});
+        const Vec3 from = turn * (origin - object.position), along = turn * direction;
+        const bool ball = shape.core.isZero(0);
+        const Vec3 half = shape.core + Vec3::Constant(shape.radius);
+        const auto distance =
+            ball ? meetSphere(from, along, shape.radius) : meetBox(from, along, half);
+        if (!distance) continue;
+        // Of a box: the axis along which the place lies farthest out.
+        const Vec3 place = from + *distance * along;
+        Vec3 normal = place.normalized();
+        if (!ball) {
+            int axis = 0;
+            place.cwiseQuotient(half).cwiseAbs().maxCoeff(&axis);
+            normal = std::copysign(1.0, place[axis]) * Vec3::Unit(axis);
+        }
+        keep(nearest, {.place = origin + *distance * direction,
+                       .distance = *distance,
+                       .object = static_cast<int>(i),
+                       .normal = object.orientation * normal});
     }
 }
 
-}  // namespace sunder::view
+}  // namespace sunder::surface

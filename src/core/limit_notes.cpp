@@ -1,11 +1,9 @@
-#include "scene/limit_warnings.hpp"
+#include "core/limit_notes.hpp"
 
 #include <cmath>
 #include <cstdio>
 
-namespace sunder::scene {
-
-using namespace core;
+namespace sunder::core {
 
 namespace {
 
@@ -26,17 +24,18 @@ std::string times(double factor) {
 
 }  // namespace
 
-std::vector<std::string> limitWarnings(const Scene& scene, const World& world) {
-    std::vector<std::string> warnings;
+std::vector<std::string> limitNotes(const World& world) {
+    std::vector<std::string> notes;
+    const double substeps = 1 / (60 * world.step());
     for (const ElementLaw& law : world.laws()) {
         if (!law.limited) continue;
         const Material& material = world.description().materials[law.material];
-        warnings.push_back(material.name + ": E " + threeDigits(material.youngModulus) +
-                           " limited to " + threeDigits(law.youngModulus) + " Pa at " +
-                           std::to_string(scene.substeps) + " substeps per 1/60 s: it sags " +
-                           times(material.youngModulus / law.youngModulus) + " times as far");
+        notes.push_back(material.name + ": E " + threeDigits(material.youngModulus) +
+                        " limited to " + threeDigits(law.youngModulus) + " Pa at " +
+                        std::to_string(std::lround(substeps)) + " substeps per 1/60 s: it sags " +
+                        times(material.youngModulus / law.youngModulus) + " times as far");
     }
-    return warnings;
+    return notes;
 }
 
-}  // namespace sunder::scene
+}  // namespace sunder::core

@@ -1,0 +1,9 @@
+#include "sunder/version.hpp"
+
+namespace sunder {
+
+Version version() noexcept {
+    return {SUNDER_VERSION_MAJOR, SUNDER_VERSION_MINOR, SUNDER_VERSION_PATCH};
+}
+
+}  // namespace sunder
