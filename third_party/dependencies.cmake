@@ -1,18 +1,20 @@
 # Every dependency: a system package first (apt, see tools/install-packages), else vcpkg (vcpkg.json).
 # No third-party code is copied into this repository.
-find_package(Threads REQUIRED)
+
+# --- The library ---
+
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(CLI11 REQUIRED)
 find_package(tomlplusplus REQUIRED)
-find_package(nlohmann_json REQUIRED)
-find_package(glm REQUIRED)
 find_package(hwy 1.0 REQUIRED CONFIG) # SIMD
 find_package(TBB REQUIRED CONFIG)     # threads: oneTBB
 
-# stb: headers only; Debian puts them in <stb/...>, vcpkg beside the other headers.
-find_path(STB_INCLUDE_DIR stb_image_write.h PATH_SUFFIXES stb REQUIRED)
-add_library(sunder_stb INTERFACE)
-target_include_directories(sunder_stb SYSTEM INTERFACE ${STB_INCLUDE_DIR})
+if(NOT SUNDER_GL)
+  return()
+endif()
+
+# --- Its part on the GPU ---
+
+find_package(glm REQUIRED)
 
 # glad: OpenGL 4.1 core, generated at build time by the `glad` tool (Debian: python3-glad; elsewhere: the Python package glad2).
 # A table of functions for each context (--mx), none of the process. Without --reproducible it would fetch the specification from
@@ -25,7 +27,7 @@ set(SUNDER_GL_EXTENSIONS
   GL_INTEL_conservative_rasterization GL_NV_conservative_raster GL_NV_fragment_coverage_to_color
   GL_NV_representative_fragment_test GL_NV_scissor_exclusive GL_NV_shading_rate_image GL_NV_viewport_swizzle)
 find_program(GLAD_EXECUTABLE glad REQUIRED)
-set(glad_dir ${CMAKE_BINARY_DIR}/glad)
+set(glad_dir ${PROJECT_BINARY_DIR}/glad)
 list(JOIN SUNDER_GL_EXTENSIONS "," gl_extensions)
 add_custom_command(
   OUTPUT ${glad_dir}/src/gl.c ${glad_dir}/include/glad/gl.h ${glad_dir}/include/glad/calls.h
@@ -37,8 +39,26 @@ add_custom_command(
   VERBATIM)
 add_library(sunder_glad STATIC ${glad_dir}/src/gl.c ${glad_dir}/include/glad/calls.h)
 target_include_directories(sunder_glad SYSTEM PUBLIC ${glad_dir}/include)
+# A host may have a glad of its own.
+target_compile_definitions(sunder_glad PUBLIC
+  gladLoadGLContext=sunder_gladLoadGLContext gladLoadGLContextUserPtr=sunder_gladLoadGLContextUserPtr)
 
+if(NOT SUNDER_PROGRAM)
+  return()
+endif()
+
+# --- The program ---
+
+find_package(Threads REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
 find_package(glfw3 3.3 REQUIRED) # windows
+
+# stb: headers only; Debian puts them in <stb/...>, vcpkg beside the other headers.
+find_path(STB_INCLUDE_DIR stb_image_write.h PATH_SUFFIXES stb REQUIRED)
+add_library(sunder_stb INTERFACE)
+target_include_directories(sunder_stb SYSTEM INTERFACE ${STB_INCLUDE_DIR})
+
 # Dear ImGui with its backends for GLFW and OpenGL 3: vcpkg has a CMake package; Debian one static library, which leaves stb to
 # whoever links it.
 find_package(imgui CONFIG QUIET)

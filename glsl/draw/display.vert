@@ -26,6 +26,11 @@ flat out float seed;          // 0 to 1, per body
 flat out float insideFace;    // 1 on a face that a broken bond has bared
 flat out float boundaryFace;  // 1 on one between two clusters
 #endif
+#ifdef SURFACE
+// For a host's own shaders: `normal` has length 1, on torn faces too, where it is the cell's; and the way in which the first
+// coordinate of textures grows, across the face at rest (src/sim_gl/deformed_mesh.cpp). w: sign of the bitangent.
+out vec4 tangent;
+#endif
 
 // Depths must be the same to the bit in every pass that draws glass.
 invariant gl_Position;
@@ -104,8 +109,8 @@ bool hidden() {
 }
 
 #ifndef DEPTH_ONLY
-// Of cell c's deformed face (2 * axis + side), a bilinear patch, at u. Its length is a measure of area.
-vec3 patchNormal(int c, int face, vec3 u, vec3 cellSize) {
+// How cell c's deformed face (2 * axis + side), a bilinear patch, goes on at u: along the next axis and the one after that.
+mat2x3 patchAxes(int c, int face, vec3 u, vec3 cellSize) {
     int axis = face >> 1, b = (axis + 1) % 3, e = (axis + 2) % 3;
     int base = (face & 1) << axis;
     vec3 d00 = displacementOf(c, base), d10 = displacementOf(c, base | 1 << b);
@@ -114,7 +119,13 @@ vec3 patchNormal(int c, int face, vec3 u, vec3 cellSize) {
     vec3 alongE = mix(d01 - d00, d11 - d10, clamp(u[b], 0.0, 1.0));
     alongB[b] += cellSize[b];
     alongE[e] += cellSize[e];
-    vec3 n = cross(alongB, alongE);
+    return mat2x3(alongB, alongE);
+}
+
+// Outwards. Its length is a measure of area.
+vec3 patchNormal(int c, int face, vec3 u, vec3 cellSize) {
+    mat2x3 along = patchAxes(c, face, u, cellSize);
+    vec3 n = cross(along[0], along[1]);
     return (face & 1) == 1 ? n : -n;
 }
 
@@ -143,7 +154,15 @@ void main() {
     surfaceLaw = 0u;
     seed = insideFace = boundaryFace = 0.0;
 #endif
-    if (hidden()) return;
+    if (hidden()) {
+#ifdef SURFACE
+        // All corners of the face at one place.
+        position = texelFetch(rest, 8 * self).xyz + displacementOf(self, 0);
+        normal = vec3(0.0, 1.0, 0.0);
+        tangent = vec4(1.0, 0.0, 0.0, 1.0);
+#endif
+        return;
+    }
 
     uvec4 record = texelFetch(cells, self);
     Lattice lattice = latticeOf(int(record.g));
@@ -191,5 +210,17 @@ void main() {
     seed = fract(0.618034 * float(record.g));
     insideFace = (code & SUNDER_DISPLAY_FACE_INNER) != 0u ? 1.0 : 0.0;
     boundaryFace = (code & SUNDER_DISPLAY_FACE_BOUNDARY) != 0u ? 1.0 : 0.0;
+#endif
+#ifdef SURFACE
+    int face = int(code >> uint(SUNDER_DISPLAY_FACE_BIT) & 7u);
+    vec3 inCell = (start - texelFetch(rest, 8 * self).xyz) / lattice.cellSize;
+    if (normal == vec3(0.0)) normal = patchNormal(self, face, inCell, lattice.cellSize);
+    normal = normalize(normal);
+    mat2x3 along = patchAxes(self, face, inCell, lattice.cellSize);
+    // Textures go along z and y, x and z, x and y.
+    bool turned = face >> 1 == 2;
+    vec3 first = turned ? along[0] : along[1], second = turned ? along[1] : along[0];
+    first = normalize(first - dot(first, normal) * normal);
+    tangent = vec4(first, dot(cross(normal, first), second) < 0.0 ? -1.0 : 1.0);
 #endif
 }

@@ -170,9 +170,7 @@ void checkEvents(const WorldDescription& world) {
     for (std::size_t i = 0; i < world.throws.size(); ++i) {
         const ThrowDescription& thrown = world.throws[i];
         const Complain complain = complainAbout("throw " + std::to_string(i + 1));
-        checkNumbers(throwRules(), thrown, complain);
-        checkIndex("object", thrown.object, world.objects.size(), "objects", complain);
-        checkThrown(world.objects[thrown.object], complain);
+        checkThrow(thrown, world.objects, complain);
     }
 }
 
@@ -262,14 +260,10 @@ void checkMotion(const ObjectDescription& object,
                          std::string(key) + " in the event");
 }
 
-void checkEvent(const EventDescription& event, std::size_t bodies, const Complain& complain,
-                double latest) {
+void checkEvent(const EventDescription& event, std::size_t bodies, const Complain& complain) {
     constexpr std::size_t kKinds = 3;  // the fourth name is that of a throw
     checkChoice("kind", event.kind, kEventNames, complain, kKinds);
-    for (Rule<EventDescription> rule : eventRules(event.kind)) {
-        if (rule.key == "time") rule.range.max = latest;
-        checkNumbers(rule, event, complain);
-    }
+    checkNumbers(eventRules(event.kind), event, complain);
     checkNumbers(blastRules(), event, complain);
     checkIndex("body", event.body, bodies, "bodies", complain, true);
     const bool blast = event.body == kEveryBody;
@@ -281,6 +275,13 @@ void checkEvent(const EventDescription& event, std::size_t bodies, const Complai
         complain(event.falloff ? "falloff" : "outward",
                  std::string("only an event of every body has ") +
                      (event.falloff ? "falloff" : "outward") + "; leave it out, or give no body");
+}
+
+void checkThrow(const ThrowDescription& thrown, const std::vector<ObjectDescription>& objects,
+                const Complain& complain) {
+    checkNumbers(throwRules(), thrown, complain);
+    checkIndex("object", thrown.object, objects.size(), "objects", complain);
+    checkThrown(objects[thrown.object], complain);
 }
 
 void checkThrown(const ObjectDescription& object, const Complain& complain) {

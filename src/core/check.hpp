@@ -47,9 +47,11 @@ void checkPlace(const RegionDescription&, const IVec3& cells, const Complain&);
 void checkMotion(const ObjectDescription&, const std::function<bool(std::string_view)>& given,
                  const Complain&);
 
-/// An event of a world with so many bodies, which may begin at up to `latest` s.
-void checkEvent(const EventDescription&, std::size_t bodies, const Complain&,
-                double latest = kMaxTime);
+/// An event of a world with so many bodies.
+void checkEvent(const EventDescription&, std::size_t bodies, const Complain&);
+
+/// A throw of one of these objects.
+void checkThrow(const ThrowDescription&, const std::vector<ObjectDescription>&, const Complain&);
 
 /// Whether it can be thrown; the key is that of a throw.
 void checkThrown(const ObjectDescription&, const Complain&);

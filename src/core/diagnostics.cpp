@@ -78,10 +78,6 @@ Diagnostics diagnose(const World& world, const State& state) {
                 d.elastic += kVolumeShare[t] * law.cellSize.prod() *
                              energyDensity(law, world.materialOf(cell).law, gradients[t]);
         }
-        for (int axis = 0; axis < 3; ++axis) {
-            const double damage = state.damage[kBondsPerCell * cell + axis];
-            if (damage >= 1 && damage != kNoBond) ++d.bondsBroken;
-        }
     }
     for (std::size_t i = 0; i < state.objects.size(); ++i) {
         const ObjectState& object = state.objects[i];
@@ -98,6 +94,7 @@ Diagnostics diagnose(const World& world, const State& state) {
         d.momentum += momentum;
         d.angularMomentum += object.position.cross(momentum) + object.angularMomentum;
     }
+    d.bondsBroken = brokenBonds(world, state);
     d.pieces = findPieces(world, state).count;
     return d;
 }

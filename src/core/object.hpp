@@ -58,9 +58,9 @@ struct ThrowDescription {
 /// An object as the solvers see it: all points within `radius` of a box, its core, around its
 /// centre. The core of a sphere is a point, that of a capsule a line along y.
 struct Object {
-    Vec3 core{0, 0, 0};            ///< m, half its edges
-    double radius = 0;             ///< m
-    double inverseMass = 0;        ///< 1/kg; 0: fixed or kinematic
+    Vec3 core{0, 0, 0};      ///< m, half its edges
+    double radius = 0;       ///< m
+    double inverseMass = 0;  ///< 1/kg; 0: fixed or kinematic
     /// 1/(kg·m²), about its own axes; 0: fixed; 1: kinematic, whose angular momentum is its spin.
     Vec3 inverseInertia{0, 0, 0};
     double friction = 0, restitution = 0, drag = 0;

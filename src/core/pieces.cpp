@@ -28,4 +28,38 @@ Pieces findPieces(const World& world, const State& state) {
     return pieces;
 }
 
+std::vector<PieceMotion> pieceMotions(const World& world, const State& state,
+                                      const Pieces& pieces) {
+    std::vector<PieceMotion> motions(pieces.count);
+    for (int cell = 0; cell < world.cellCount(); ++cell) {
+        if (pieces.ofCell[cell] < 0) continue;
+        PieceMotion& piece = motions[pieces.ofCell[cell]];
+        piece.body = world.bodyOf(cell);
+        for (int node = kCorners * cell; node < kCorners * (cell + 1); ++node) {
+            const double mass = world.nodeMass(node);
+            const Vec3 place = world.restPosition(node) + state.displacement[node];
+            const bool first = piece.cells == 0 && node == kCorners * cell;
+            piece.low = first ? place : piece.low.cwiseMin(place);
+            piece.high = first ? place : piece.high.cwiseMax(place);
+            piece.mass += mass;
+            piece.centre += mass * place;
+            piece.velocity += mass * state.velocity[node];
+            piece.anchored |= world.anchored(node);
+        }
+        ++piece.cells;
+    }
+    for (PieceMotion& piece : motions) {
+        piece.centre /= piece.mass;
+        piece.velocity /= piece.mass;
+    }
+    return motions;
+}
+
+int brokenBonds(const World& world, const State& state) {
+    int broken = 0;
+    for (int bond = 0; bond < world.bondSlots(); ++bond)
+        broken += state.damage[bond] >= 1 && state.damage[bond] != kNoBond;
+    return broken;
+}
+
 }  // namespace sunder::core

@@ -256,17 +256,26 @@ void World::makeEvents() {
     }
 }
 
-Event World::makeEvent(const EventDescription& from) const {
-    const std::string name = from.where.empty() ? "the event" : from.where;
-    // However long a game has been running: a step's number is as exact.
-    constexpr double kLatest = 1e10;
-    checkEvent(
-        from, bodies_.size(),
-        [&](std::string_view, const std::string& problem) {
-            throw InputError(name + ": " + problem);
-        },
-        kLatest);
-    return layOutEvent(from, name);
+namespace {
+
+Complain complainOf(const std::string& name) {
+    return [name](std::string_view, const std::string& problem) {
+        throw InputError(name + ": " + problem);
+    };
+}
+
+}  // namespace
+
+Event World::makeEvent(EventDescription event, double now) const {
+    const std::string name = event.where.empty() ? "the event" : event.where;
+    checkEvent(event, bodies_.size(), complainOf(name));
+    event.time += now;
+    return layOutEvent(event, name);
+}
+
+ObjectState World::makeThrow(const ThrowDescription& thrown) const {
+    checkThrow(thrown, description_.objects, complainOf("the throw"));
+    return thrownState(description_.objects[thrown.object], thrown);
 }
 
 Event World::layOutEvent(const EventDescription& from, const std::string& name) const {

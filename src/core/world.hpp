@@ -104,9 +104,11 @@ class World {
 
     State initialState() const;
 
-    /// What an event means in this world, at any time up to 1e10 s. Throws InputError for what
-    /// checkEvent() refuses (core/check.hpp), and where it could push nothing.
-    Event makeEvent(const EventDescription&) const;
+    /// What an event means in this world whose `time` counts from `now`, s. Throws InputError for
+    /// what checkEvent() refuses (core/check.hpp), and where it could push nothing.
+    Event makeEvent(EventDescription, double now = 0) const;
+    /// How an object leaves a throw. Throws InputError for what checkThrow() refuses.
+    ObjectState makeThrow(const ThrowDescription&) const;
 
   private:
     void layOutCells();

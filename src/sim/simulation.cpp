@@ -49,10 +49,13 @@ const State& Simulation::state() {
     return *state_;
 }
 
-void Simulation::push(EventDescription event) {
-    event.time = time();
-    made_.solver->push(world().makeEvent(event));
+void Simulation::push(const EventDescription& event) {
+    made_.solver->push(world().makeEvent(event, time()));
     state_.reset();
+}
+
+void Simulation::throwObject(const ThrowDescription& thrown) {
+    putObject(thrown.object, world().makeThrow(thrown));
 }
 
 void Simulation::putObject(int object, const ObjectState& state) {

@@ -41,10 +41,13 @@ class Simulation {
     std::int64_t step() const { return step_; }
     double time() const { return static_cast<double>(step_) * world().step(); }  ///< s
 
-    /// Begins with the next step, whatever `time` it has. Nothing is read back. Throws InputError
-    /// where it could push nothing.
-    void push(core::EventDescription);
-    /// Puts an object somewhere at once.
+    /// Its `time` counts from now: at 0 it begins with the next step. Nothing is read back. Throws
+    /// InputError where it makes no sense or could push nothing.
+    void push(const core::EventDescription&);
+    /// Throws an object at once, whatever `time` the throw has. Throws InputError for what
+    /// check() would refuse of it.
+    void throwObject(const core::ThrowDescription&);
+    /// Puts an object somewhere at once. Its index and the numbers of the state must make sense.
     void putObject(int object, const core::ObjectState&);
 
     /// Whole substeps. May return before a GPU is done.

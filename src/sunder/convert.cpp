@@ -7,9 +7,9 @@ namespace sunder {
 namespace {
 
 constexpr std::pair<Side, core::Side> kSides[] = {
-    {Side::Left, core::Side::Left}, {Side::Right, core::Side::Right},
+    {Side::Left, core::Side::Left},     {Side::Right, core::Side::Right},
     {Side::Bottom, core::Side::Bottom}, {Side::Top, core::Side::Top},
-    {Side::Back, core::Side::Back}, {Side::Front, core::Side::Front}};
+    {Side::Back, core::Side::Back},     {Side::Front, core::Side::Front}};
 
 /// Enumerations of the public interface are the inside's, in the same order.
 template <class To, class From>
@@ -30,7 +30,7 @@ void checkEnumeration(Enumeration value, Enumeration last, const std::string& wh
                                std::to_string(static_cast<int>(value)));
 }
 
-std::vector<core::Side> toCore(Side sides, const std::string& body) {
+std::vector<core::Side> sidesOf(Side sides, const std::string& body) {
     std::vector<core::Side> result;
     for (const auto& [ours, theirs] : kSides)
         if ((sides & ours) != Side::None) result.push_back(theirs);
@@ -39,21 +39,19 @@ std::vector<core::Side> toCore(Side sides, const std::string& body) {
     return result;
 }
 
-core::ObjectShape toCore(Object::Shape shape) {
-    return same<core::ObjectShape>(shape);
-}
-static_assert(static_cast<int>(Object::Shape::Sphere) == static_cast<int>(core::ObjectShape::Sphere));
+static_assert(static_cast<int>(Object::Shape::Sphere) ==
+              static_cast<int>(core::ObjectShape::Sphere));
 static_assert(static_cast<int>(Object::Shape::Capsule) ==
               static_cast<int>(core::ObjectShape::Capsule));
 
-core::ObjectDescription toCore(const Object& object, int index) {
+core::ObjectDescription describe(const Object& object, int index) {
     const std::string what =
-        "object " +
-        (object.name.empty() ? std::to_string(index + 1) : "'" + object.name + "'") + ": ";
+        "object " + (object.name.empty() ? std::to_string(index + 1) : "'" + object.name + "'") +
+        ": ";
     checkEnumeration(object.shape, Object::Shape::Capsule, what + "shape");
     core::ObjectDescription d;
     d.name = object.name;
-    d.shape = toCore(object.shape);
+    d.shape = same<core::ObjectShape>(object.shape);
     d.halfSize = toCore(object.size) / 2;
     // Of a ball and a capsule the inside has the radius along every axis but a capsule's own.
     if (object.shape != Object::Shape::Box) d.halfSize[2] = d.halfSize[0];
@@ -74,7 +72,7 @@ core::ObjectDescription toCore(const Object& object, int index) {
     return d;
 }
 
-Object fromCore(const core::ObjectDescription& d) {
+Object objectOf(const core::ObjectDescription& d) {
     Object object;
     object.name = d.name;
     object.shape = same<Object::Shape>(d.shape);
@@ -95,21 +93,21 @@ Object fromCore(const core::ObjectDescription& d) {
     return object;
 }
 
-core::BodyDescription toCore(const BodyDesc& body, int index) {
+core::BodyDescription describe(const BodyDesc& body, int index) {
     core::BodyDescription d;
     d.name = body.name;
     d.size = toCore(body.size);
     d.cells = toCore(body.cells);
     d.position = toCore(body.position);
     d.material = body.material;
-    d.anchors = toCore(body.anchors, "body " + std::to_string(index + 1) + ": ");
+    d.anchors = sidesOf(body.anchors, "body " + std::to_string(index + 1) + ": ");
     for (const RegionDesc& region : body.regions)
         d.regions.push_back({toCore(region.from), toCore(region.to), region.material});
     d.mayOverlap = body.mayOverlap;
     return d;
 }
 
-BodyDesc fromCore(const core::BodyDescription& d) {
+BodyDesc bodyOf(const core::BodyDescription& d) {
     BodyDesc body;
     body.name = d.name;
     body.size = fromCore(d.size);
@@ -125,7 +123,7 @@ BodyDesc fromCore(const core::BodyDescription& d) {
     return body;
 }
 
-Push fromCore(const core::EventDescription& event, const core::WorldDescription& world) {
+Push pushOf(const core::EventDescription& event, const core::WorldDescription& world) {
     using Kind = core::EventDescription::Kind;
     Push push;
     push.body = event.body;
@@ -245,8 +243,9 @@ core::EventDescription toCore(const Push& push, const core::Vec3& position) {
     const bool impulse = push.impulse != Vec3{}, force = push.force != Vec3{};
     const bool velocity = push.velocity != Vec3{} || push.outward != 0;
     if (impulse + force + velocity > 1)
-        throw core::InputError("a push is given by its velocity, its impulse or its force, not by "
-                               "several of them");
+        throw core::InputError(
+            "a push is given by its velocity, its impulse or its force, not by "
+            "several of them");
     event.kind = impulse ? Kind::Impulse : force ? Kind::Force : Kind::Velocity;
     event.vector = toCore(impulse ? push.impulse : force ? push.force : push.velocity);
     event.time = push.delay;
@@ -263,13 +262,12 @@ core::WorldDescription toCore(const WorldDesc& desc) {
     core::WorldDescription d;
     for (const Material& material : desc.materials) d.materials.push_back(toCore(material));
     for (const BodyDesc& body : desc.bodies)
-        d.bodies.push_back(toCore(body, static_cast<int>(d.bodies.size())));
+        d.bodies.push_back(describe(body, static_cast<int>(d.bodies.size())));
     for (const Object& object : desc.objects)
-        d.objects.push_back(toCore(object, static_cast<int>(d.objects.size())));
+        d.objects.push_back(describe(object, static_cast<int>(d.objects.size())));
     for (const Push& push : desc.pushes) {
         const bool one = push.body >= 0 && push.body < static_cast<int>(d.bodies.size());
-        d.events.push_back(
-            toCore(push, one ? d.bodies[push.body].position : core::Vec3(0, 0, 0)));
+        d.events.push_back(toCore(push, one ? d.bodies[push.body].position : core::Vec3(0, 0, 0)));
     }
     for (const Throw& thrown : desc.throws)
         d.throws.push_back({thrown.time, thrown.object, toCore(thrown.from),
@@ -293,11 +291,10 @@ core::WorldDescription toCore(const WorldDesc& desc) {
 WorldDesc fromCore(const core::WorldDescription& d) {
     WorldDesc desc;
     for (const core::Material& material : d.materials) desc.materials.push_back(fromCore(material));
-    for (const core::BodyDescription& body : d.bodies) desc.bodies.push_back(fromCore(body));
+    for (const core::BodyDescription& body : d.bodies) desc.bodies.push_back(bodyOf(body));
     for (const core::ObjectDescription& object : d.objects)
-        desc.objects.push_back(fromCore(object));
-    for (const core::EventDescription& event : d.events)
-        desc.pushes.push_back(fromCore(event, d));
+        desc.objects.push_back(objectOf(object));
+    for (const core::EventDescription& event : d.events) desc.pushes.push_back(pushOf(event, d));
     for (const core::ThrowDescription& thrown : d.throws)
         desc.throws.push_back({thrown.time, thrown.object, fromCore(thrown.from),
                                fromCore(thrown.velocity), fromCore(thrown.spin)});
@@ -305,7 +302,7 @@ WorldDesc fromCore(const core::WorldDescription& d) {
     desc.ground = d.ground;
     desc.groundFriction = d.groundFriction;
     if (d.room)
-        desc.room = RoomDesc{d.room->x[0], d.room->x[1], d.room->z[0],
+        desc.room = RoomDesc{d.room->x[0], d.room->x[1],     d.room->z[0],
                              d.room->z[1], d.room->friction, d.room->ceiling};
     desc.contact = d.contact;
     desc.partingSpeed = d.partingSpeed;

@@ -1,49 +1,51 @@
+#include "scene/presets.hpp"
 #include "scene/scene.hpp"
 #include "sunder/convert.hpp"
 #include "sunder/guard.hpp"
 
 namespace sunder {
 
+namespace {
+
+/// Why there is no preset of this name.
+Error noPreset(scene::PresetKind kind, const char* what, std::string_view name) {
+    std::string names;
+    for (const std::string& known : scene::presetNames(kind))
+        names += (names.empty() ? "" : ", ") + known;
+    return {Error::Code::Input, "there is no " + std::string(what) + " '" + std::string(name) +
+                                    "'; those that come with Sunder are " + names};
+}
+
+}  // namespace
+
 Result<Material> Material::preset(std::string_view name) {
     return guarded([&]() -> Result<Material> {
-        for (const scene::PresetInfo& known : scene::materialPresets())
-            if (known.name == name) return fromCore(scene::loadMaterial(known.name));
-        std::string names;
-        for (const scene::PresetInfo& known : scene::materialPresets())
-            names += (names.empty() ? "" : ", ") + known.name;
-        return Error{Error::Code::Input, "there is no material '" + std::string(name) +
-                                             "'; those that come with Sunder are " + names};
+        constexpr auto kind = scene::PresetKind::Material;
+        if (!scene::findPreset(kind, name)) return noPreset(kind, "material", name);
+        return fromCore(scene::loadMaterial(std::string(name)));
     });
 }
 
 std::vector<std::string> Material::presetNames() {
-    std::vector<std::string> names;
-    for (const scene::PresetInfo& known : scene::materialPresets()) names.push_back(known.name);
-    return names;
+    return scene::presetNames(scene::PresetKind::Material);
 }
 
 Result<Material> Material::load(std::string_view path) {
-    return guarded([&]() -> Result<Material> {
-        return fromCore(scene::loadMaterialFile(std::string(path)));
-    });
+    return guarded(
+        [&]() -> Result<Material> { return fromCore(scene::loadMaterial(std::string(path))); });
 }
 
 Result<WorldDesc> WorldDesc::preset(std::string_view name) {
     return guarded([&]() -> Result<WorldDesc> {
-        std::string names;
-        for (const scene::PresetInfo& known : scene::scenePresets()) {
-            if (known.name == name) return fromCore(scene::loadScene(known.name).world);
-            names += (names.empty() ? "" : ", ") + known.name;
-        }
-        return Error{Error::Code::Input, "there is no scene '" + std::string(name) +
-                                             "'; those that come with Sunder are " + names};
+        constexpr auto kind = scene::PresetKind::Scene;
+        if (!scene::findPreset(kind, name)) return noPreset(kind, "scene", name);
+        return fromCore(scene::loadScene(std::string(name)).world);
     });
 }
 
 Result<WorldDesc> WorldDesc::load(std::string_view path) {
-    return guarded([&]() -> Result<WorldDesc> {
-        return fromCore(scene::loadSceneFile(std::string(path)).world);
-    });
+    return guarded(
+        [&]() -> Result<WorldDesc> { return fromCore(scene::loadScene(std::string(path)).world); });
 }
 
 int WorldDesc::addMaterial(Material material) {

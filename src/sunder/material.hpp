@@ -46,8 +46,8 @@ struct SUNDER_API Material {
     static Result<Material> preset(std::string_view name);
     /// The names of all presets, in alphabetical order. From any thread.
     static std::vector<std::string> presetNames();
-    /// What a material file says (docs/materials.md): `path` in UTF-8. Fails with the line of the
-    /// first thing that is wrong. From any thread.
+    /// What a material file says (docs/materials.md). `path`: with a '/' or ending in ".toml".
+    /// Fails with the line of the first thing that is wrong. From any thread.
     static Result<Material> load(std::string_view path);
 
     std::string name;  ///< For messages: one line of up to 1000 bytes of UTF-8, or empty.

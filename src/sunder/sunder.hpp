@@ -168,8 +168,8 @@ struct SUNDER_API WorldDesc {
     /// A scene that comes with Sunder, such as "wood" or "brick", with what hits it. Fails with the
     /// list of them where there is none of this name.
     static Result<WorldDesc> preset(std::string_view name);
-    /// What a scene file says (docs/scenes.md), with its pushes and throws; `path` in UTF-8. Fails
-    /// with the line of the first thing that is wrong.
+    /// What a scene file says (docs/scenes.md), with its pushes and throws. `path`: with a '/' or
+    /// ending in ".toml". Fails with the line of the first thing that is wrong.
     static Result<WorldDesc> load(std::string_view path);
 
     /// Returns its index, for BodyDesc::material.

@@ -108,8 +108,8 @@ auto World::Impl::within(const Work& work) -> decltype(work()) {
         const auto stay = enter();
         return work();
     });
-    if (!result && (result.error().code == Error::Code::Device ||
-                    result.error().code == Error::Code::Bug))
+    if (!result &&
+        (result.error().code == Error::Code::Device || result.error().code == Error::Code::Bug))
         failure = result.error();
     return result;
 }
@@ -182,14 +182,13 @@ Result<void> World::throwObject(const Throw& thrown) {
     Impl& w = *impl_;
     return w.within([&]() -> Result<void> {
         w.checkObject(thrown.object, "throwObject");
-        w.simulation->throwObject({0, thrown.object, toCore(thrown.from),
-                                   toCore(thrown.velocity), toCore(thrown.spin)});
+        w.simulation->throwObject(
+            {0, thrown.object, toCore(thrown.from), toCore(thrown.velocity), toCore(thrown.spin)});
         return {};
     });
 }
 
-Result<void> World::setKinematic(int object, const Transform& transform, Vec3 velocity,
-                                 Vec3 spin) {
+Result<void> World::setKinematic(int object, const Transform& transform, Vec3 velocity, Vec3 spin) {
     Impl& w = *impl_;
     return w.within([&]() -> Result<void> {
         w.checkObject(object, "setKinematic");
@@ -299,16 +298,14 @@ Result<ObjectState> World::object(int object) const {
 
 Result<int> World::brokenBonds() const {
     Impl& w = *impl_;
-    return w.within([&]() -> Result<int> {
-        return core::brokenBonds(w.world(), w.simulation->state());
-    });
+    return w.within(
+        [&]() -> Result<int> { return core::brokenBonds(w.world(), w.simulation->state()); });
 }
 
 Result<std::uint64_t> World::stateHash() const {
     Impl& w = *impl_;
-    return w.within([&]() -> Result<std::uint64_t> {
-        return core::stateHash(w.simulation->state());
-    });
+    return w.within(
+        [&]() -> Result<std::uint64_t> { return core::stateHash(w.simulation->state()); });
 }
 
 WorldSize World::size() const {

@@ -1,0 +1,128 @@
+#include "sim_gl/deformed_mesh.hpp"
+
+#include <cstddef>
+#include <map>
+#include <tuple>
+
+namespace sunder::sim_gl {
+
+using namespace core;
+
+namespace {
+
+std::vector<DeformedMesh::RestVertex> restVertices(const World& world,
+                                                   const surface::DisplayMesh& mesh) {
+    std::vector<DeformedMesh::RestVertex> vertices;
+    vertices.reserve(mesh.vertices().size());
+    for (const surface::DisplayVertex& from : mesh.vertices()) {
+        const auto cell = static_cast<int>(from.cell);
+        const int body = world.bodyOf(cell);
+        const Vec3 place = from.rest.cast<double>() - world.bodies()[body].origin;
+        const int axis = static_cast<int>(from.code >> (SUNDER_DISPLAY_FACE_BIT + 1) & 3u);
+        // Upright where the face is: along x or z, and up; from above, along x and z.
+        const double u = place[axis == 0 ? 2 : 0], v = place[axis == 1 ? 2 : 1];
+        vertices.push_back({{static_cast<float>(place[0]), static_cast<float>(place[1]),
+                             static_cast<float>(place[2])},
+                            {static_cast<float>(u), static_cast<float>(v)},
+                            world.laws()[world.lawOf(cell)].material,
+                            body,
+                            cell,
+                            (from.code & SUNDER_DISPLAY_FACE_INNER) != 0 ? 1 : 0,
+                            0});
+    }
+    return vertices;
+}
+
+const void* at(std::size_t offset) {
+    return reinterpret_cast<const void*>(offset);
+}
+
+}  // namespace
+
+DeformedMesh::DeformedMesh(const World& world, const gpu::WorldBuffers& buffers)
+    : buffers_(buffers),
+      program_({.vertex = "draw/display.vert",
+                .defines = {{"SURFACE", "1"}},
+                .feedback = {"position", "normal", "tangent"}}) {
+    const surface::DisplayMesh mesh(world);
+    vertices_ = static_cast<int>(mesh.vertices().size());
+    bound_ = gl::makeBuffer(std::span(mesh.vertices()), GL_STATIC_DRAW, "display mesh");
+    const std::vector<RestVertex> rest = restVertices(world, mesh);
+    rest_ = gl::makeBuffer(std::span(rest), GL_STATIC_DRAW, "surface at rest");
+    deformed_ = gl::Buffer(sizeof(Vertex) * rest.size(), nullptr, GL_DYNAMIC_COPY, "surface");
+    makeRanges(world, mesh);
+    makeArrays();
+    program_.bindSampler("cells", gpu::kCells);
+    program_.bindSampler("bodies", gpu::kBodies);
+    program_.bindSampler("damage", gpu::kBonds);
+    program_.bindSampler("displacements", gpu::kNodes);
+    program_.bindSampler("rest", gpu::kRest);
+}
+
+void DeformedMesh::makeRanges(const World& world, const surface::DisplayMesh& mesh) {
+    // By what is opaque, by material, outside first.
+    std::map<std::tuple<bool, int, bool>, std::vector<std::uint32_t>> parts;
+    const std::vector<std::uint32_t>& indices = mesh.indices();
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        const surface::DisplayVertex& vertex = mesh.vertices()[indices[i]];
+        const int material = world.laws()[world.lawOf(static_cast<int>(vertex.cell))].material;
+        auto& part = parts[{i >= mesh.opaqueIndices(), material,
+                            (vertex.code & SUNDER_DISPLAY_FACE_INNER) != 0}];
+        part.insert(part.end(), indices.begin() + static_cast<std::ptrdiff_t>(i),
+                    indices.begin() + static_cast<std::ptrdiff_t>(i) + 3);
+    }
+    std::vector<std::uint32_t> sorted;
+    sorted.reserve(indices.size());
+    for (const auto& [key, part] : parts) {
+        const auto& [transparent, material, inside] = key;
+        ranges_.push_back({material, inside, transparent, static_cast<int>(sorted.size()),
+                           static_cast<int>(part.size())});
+        sorted.insert(sorted.end(), part.begin(), part.end());
+    }
+    indices_ = gl::makeBuffer(std::span<const std::uint32_t>(sorted), GL_STATIC_DRAW, "surface");
+}
+
+void DeformedMesh::makeArrays() {
+    boundArray_ = gl::makeVertexArray();
+    glBindVertexArray(boundArray_.id());
+    glBindBuffer(GL_ARRAY_BUFFER, bound_.id());
+    using Bound = surface::DisplayVertex;
+    gpu::floatAttribute(0, 3, sizeof(Bound), offsetof(Bound, rest));
+    glEnableVertexAttribArray(1);
+    glVertexAttribIPointer(1, 3, GL_UNSIGNED_INT, sizeof(Bound), at(offsetof(Bound, cell)));
+
+    drawnArray_ = gl::makeVertexArray();
+    glBindVertexArray(drawnArray_.id());
+    glBindBuffer(GL_ARRAY_BUFFER, deformed_.id());
+    gpu::floatAttribute(kPosition, 3, sizeof(Vertex), offsetof(Vertex, position));
+    gpu::floatAttribute(kNormal, 3, sizeof(Vertex), offsetof(Vertex, normal));
+    gpu::floatAttribute(kTangent, 4, sizeof(Vertex), offsetof(Vertex, tangent));
+    glBindBuffer(GL_ARRAY_BUFFER, rest_.id());
+    gpu::floatAttribute(kPlace, 3, sizeof(RestVertex), offsetof(RestVertex, place));
+    gpu::floatAttribute(kTexCoord, 2, sizeof(RestVertex), offsetof(RestVertex, texCoord));
+    const std::pair<GLuint, std::size_t> whole[] = {{kMaterial, offsetof(RestVertex, material)},
+                                                    {kBody, offsetof(RestVertex, body)},
+                                                    {kCell, offsetof(RestVertex, cell)},
+                                                    {kInside, offsetof(RestVertex, inside)}};
+    for (const auto& [location, offset] : whole) {
+        glEnableVertexAttribArray(location);
+        glVertexAttribIPointer(location, 1, GL_INT, sizeof(RestVertex), at(offset));
+    }
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+    glBindVertexArray(0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+void DeformedMesh::update(const gpu::StateView& state) const {
+    program_.use();
+    gl::bindTexture(gpu::kCells, GL_TEXTURE_BUFFER, buffers_.cells());
+    gl::bindTexture(gpu::kBodies, GL_TEXTURE_BUFFER, buffers_.bodies());
+    gl::bindTexture(gpu::kRest, GL_TEXTURE_BUFFER, buffers_.rest());
+    gl::bindTexture(gpu::kBonds, GL_TEXTURE_BUFFER, *state.damage);
+    gl::bindTexture(gpu::kNodes, GL_TEXTURE_BUFFER, *state.displacements);
+    glUniform1i(program_.uniform("damageStride"), state.damageStride);
+    glUniform2i(program_.uniform("displacementStrides"), state.cellStride, state.cornerStride);
+    feedback_.run(program_, boundArray_, {&deformed_}, vertices_);
+}
+
+}  // namespace sunder::sim_gl

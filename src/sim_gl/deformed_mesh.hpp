@@ -1,0 +1,70 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "gpu/feedback.hpp"
+#include "surface/display_mesh.hpp"
+
+namespace sunder::sim_gl {
+
+/// The mesh that is seen, deformed into a vertex buffer: for hosts that draw it with shaders of
+/// their own, which need to know nothing of cells and bonds. Transform feedback of the vertex
+/// shader that Sunder draws with (glsl/draw/display.vert).
+class DeformedMesh {
+  public:
+    /// As transform feedback writes it.
+    struct Vertex {
+        float position[3];  ///< m, world
+        float normal[3];    ///< of length 1
+        float tangent[4];   ///< of length 1; sign of the bitangent
+    };
+    struct RestVertex {
+        float place[3];     ///< m, from the body's origin
+        float texCoord[2];  ///< m
+        std::int32_t material, body, cell, inside, reserved;
+    };
+    struct Range {
+        int material;
+        bool inside, transparent;
+        int first, count;  ///< indices
+    };
+    /// Locations of the attributes of vertexArray().
+    enum Location {
+        kPosition,
+        kNormal,
+        kTangent,
+        kPlace,
+        kTexCoord,
+        kMaterial,
+        kBody,
+        kCell,
+        kInside
+    };
+
+    /// Both must outlive it.
+    DeformedMesh(const core::World&, const gpu::WorldBuffers&);
+
+    void update(const gpu::StateView&) const;
+
+    int vertices() const { return vertices_; }
+    const std::vector<Range>& ranges() const { return ranges_; }  ///< opaque ones first
+    GLuint vertexArray() const { return drawnArray_.id(); }
+    GLuint vertexBuffer() const { return deformed_.id(); }
+    GLuint restBuffer() const { return rest_.id(); }
+    GLuint indexBuffer() const { return indices_.id(); }
+
+  private:
+    void makeRanges(const core::World&, const surface::DisplayMesh&);
+    void makeArrays();
+
+    const gpu::WorldBuffers& buffers_;
+    int vertices_ = 0;
+    std::vector<Range> ranges_;
+    gl::Program program_;
+    gpu::Feedback feedback_;
+    gl::Buffer bound_;  ///< surface::DisplayVertex, which the shader reads
+    gl::Buffer rest_, deformed_, indices_;
+    gl::VertexArray boundArray_, drawnArray_;
+};
+
+}  // namespace sunder::sim_gl
