@@ -1,0 +1,280 @@
+// The public interface in a host's own GL context: sunder/gl.hpp.
+#include <cstring>
+#include <memory>
+#include <optional>
+
+#include "catch.hpp"
+#include "gl/functions.hpp"
+#include "gpu/hostile_host.hpp"
+#include "gpu/state_dump.hpp"
+#include "sunder/gl.hpp"
+#include "sunder/world_impl.hpp"
+#include "surface/display_mesh.hpp"
+#include "window/context.hpp"
+
+using namespace sunder;
+
+namespace {
+
+constexpr double kFrame = 1.0 / 60;
+
+/// A host: a context of its own, in which every call must leave everything as it was.
+struct Host {
+    Host() : context(gl::createHeadlessContext()) {}
+    gl::DeviceOptions options() {
+        return {
+            .getProcAddress = [this](const char* name) { return context->loadFunction()(name); }};
+    }
+    /// Whether a call leaves the context as it is.
+    template <class Call>
+    void unnoticed(const char* what, Call call) {
+        INFO(what);
+        const StateDump before = dumpState();
+        context->takeErrors();
+        call();
+        CHECK(context->takeErrors() == std::vector<std::string>{});
+        CHECK(differences(before, dumpState()) == std::vector<std::string>{});
+        context->takeErrors();
+    }
+    std::unique_ptr<gl::Context> context;
+    HostileHost hostile;
+};
+
+WorldDesc wallAndBall() {
+    WorldDesc desc;
+    const int brick = desc.addMaterial(Material::preset("brick"));
+    const int glass = desc.addMaterial(Material::preset("glass"));
+    desc.addBody(
+        {.material = brick, .size = {0.9, 0.6, 0.2}, .cells = {6, 4, 2}, .anchors = Side::Bottom});
+    desc.addBody({.material = glass,
+                  .size = {0.3, 0.3, 0.05},
+                  .cells = {3, 3, 1},
+                  .position = {1.2, 0, 0},
+                  .anchors = Side::Bottom});
+    Object ball = Object::sphere(0.15).at({0, 0.35, 0.35});
+    ball.mass = 40;
+    ball.velocity = {0, 0, -20};
+    desc.addObject(ball);
+    return desc;
+}
+
+World made(const WorldDesc& desc, const WorldOptions& options) {
+    Result<World> world = World::create(desc, options);
+    INFO((world ? std::string() : world.error().message));
+    REQUIRE(world);
+    return std::move(*world);
+}
+
+std::vector<gl::Vertex> verticesOf(const gl::Surface& surface) {
+    std::vector<gl::Vertex> vertices(static_cast<std::size_t>(surface.vertices()));
+    glBindBuffer(GL_COPY_READ_BUFFER, surface.vertexBuffer());
+    glGetBufferSubData(GL_COPY_READ_BUFFER, 0,
+                       static_cast<GLsizeiptr>(vertices.size() * sizeof(gl::Vertex)),
+                       vertices.data());
+    glBindBuffer(GL_COPY_READ_BUFFER, 0);
+    return vertices;
+}
+
+bool same(const std::vector<gl::Vertex>& a, const std::vector<gl::Vertex>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
+}
+
+core::Vec3 vec(const float* v) {
+    return {v[0], v[1], v[2]};
+}
+
+}  // namespace
+
+TEST_CASE("library: a world on a host's GPU has the bits of the program's, for every solver") {
+    Host host;
+    gl::Device device(host.options());
+    REQUIRE(device.ok());
+    CHECK(device.renderer() == host.context->info().renderer);
+    for (const std::string_view solver : {"gather", "scatter", "cpu", "reference"}) {
+        INFO(solver);
+        World world = made(wallAndBall(), {.device = &device, .solver = solver});
+        CHECK(world.solver() == solver);
+        World again = made(wallAndBall(), {.device = &device, .solver = solver});
+        for (int i = 0; i < 3; ++i) REQUIRE(world.step(kFrame));
+        REQUIRE(again.step(3 * kFrame));
+        CHECK(*world.brokenBonds() > 0);
+        CHECK(*world.stateHash() == *again.stateHash());
+    }
+    CHECK(device.memory() == 0);  // all of it has gone with the worlds
+}
+
+TEST_CASE("library: a surface is where the mesh that is seen is") {
+    Host host;
+    gl::Device device(host.options());
+    World world = made(wallAndBall(), {.device = &device});
+    gl::Surface surface(device, world);
+    REQUIRE(surface.ok());
+    for (int i = 0; i < 4; ++i) REQUIRE(world.step(kFrame));
+    REQUIRE(world.brokenBonds());
+    REQUIRE(surface.update());
+
+    const core::World& inside = world.impl().world();
+    const surface::DisplayMesh mesh(inside);
+    std::unique_ptr<sim::Backend::Stay> stay = world.impl().enter();
+    const core::State state = world.impl().simulation->state();
+    stay.reset();
+    const std::vector<gl::Vertex> vertices = verticesOf(surface);
+    REQUIRE(vertices.size() == mesh.vertices().size());
+    int hidden = 0, bared = 0;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const surface::DisplayVertex& vertex = mesh.vertices()[i];
+        const core::Vec3 normal = vec(vertices[i].normal), tangent = vec(vertices[i].tangent);
+        CHECK(normal.norm() == Approx(1).margin(1e-5));
+        CHECK(tangent.norm() == Approx(1).margin(1e-5));
+        CHECK(normal.dot(tangent) == Approx(0).margin(1e-5));
+        CHECK(std::abs(vertices[i].tangent[3]) == 1);
+        if (surface::displayHidden(state, vertex)) {
+            ++hidden;
+            continue;
+        }
+        bared += (vertex.code & SUNDER_DISPLAY_FACE_INNER) != 0;
+        const core::Vec3 place = surface::displayedPosition(inside, state, vertex);
+        // Single precision of places up to 2 m.
+        CHECK((vec(vertices[i].position) - place).norm() < 2e-6);
+    }
+    CHECK(hidden > 100);
+    CHECK(bared > 10);
+}
+
+TEST_CASE("library: a surface's ranges are all of it, by material, with normals outwards") {
+    Host host;
+    gl::Device device(host.options());
+    World world = made(wallAndBall(), {.device = &device, .settle = false});
+    gl::Surface surface(device, world);
+    REQUIRE(surface.update());
+    const std::vector<gl::Vertex> vertices = verticesOf(surface);
+    std::vector<gl::RestVertex> rest(vertices.size());
+    glBindBuffer(GL_COPY_READ_BUFFER, surface.restBuffer());
+    glGetBufferSubData(GL_COPY_READ_BUFFER, 0,
+                       static_cast<GLsizeiptr>(rest.size() * sizeof rest[0]), rest.data());
+    GLint bytes = 0;
+    glBindBuffer(GL_COPY_READ_BUFFER, surface.indexBuffer());
+    glGetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &bytes);
+    std::vector<std::uint32_t> indices(static_cast<std::size_t>(bytes) / sizeof(std::uint32_t));
+    glGetBufferSubData(GL_COPY_READ_BUFFER, 0, bytes, indices.data());
+    glBindBuffer(GL_COPY_READ_BUFFER, 0);
+
+    std::size_t next = 0;
+    int outside = 0;
+    bool transparent = false;
+    for (const gl::Range& range : surface.ranges()) {
+        CHECK(reinterpret_cast<std::size_t>(range.offset) == next * sizeof(std::uint32_t));
+        CHECK(range.transparent == (range.material == 1));
+        CHECK(transparent <= range.transparent);
+        transparent = range.transparent;
+        for (int i = 0; i < range.count; i += 3, next += 3) {
+            const std::uint32_t* const corner = &indices[next];
+            CHECK(rest[corner[0]].material == range.material);
+            CHECK(rest[corner[0]].inside == (range.inside ? 1 : 0));
+            if (range.inside) continue;
+            // A wall at rest: triangles face the way their normals do, which textures agree with.
+            const core::Vec3 a = vec(vertices[corner[0]].position),
+                             b = vec(vertices[corner[1]].position),
+                             c = vec(vertices[corner[2]].position);
+            const core::Vec3 normal = vec(vertices[corner[0]].normal);
+            CHECK((b - a).cross(c - a).normalized().dot(normal) == Approx(1).margin(1e-4));
+            const double du = rest[corner[1]].texCoord[0] - rest[corner[0]].texCoord[0];
+            CHECK((b - a).dot(vec(vertices[corner[0]].tangent)) == Approx(du).margin(1e-5));
+            ++outside;
+        }
+    }
+    CHECK(next == indices.size());
+    CHECK(outside > 100);
+}
+
+TEST_CASE("library: no state of a host's changes a surface, nor is it changed") {
+    Host host;
+    gl::Device device(host.options());
+    World world = made(wallAndBall(), {.device = &device});
+    for (int i = 0; i < 4; ++i) REQUIRE(world.step(kFrame));
+    std::vector<gl::Vertex> expected;
+    {
+        gl::Surface surface(device, world);
+        REQUIRE(surface.update());
+        expected = verticesOf(surface);
+    }
+    std::optional<gl::Surface> surface;
+    host.unnoticed("made", [&] { surface.emplace(device, world); });
+    for (const HostileHost::Setting& setting : host.hostile.settings()) {
+        INFO(setting.name);
+        setting.set(host.hostile);
+        host.unnoticed("update", [&] { CHECK(surface->update()); });
+        host.hostile.reset();
+        CHECK(same(verticesOf(*surface), expected));
+        // Something else, so that the next one is not this one's.
+        REQUIRE(world.step(0));
+    }
+    host.hostile.setAll();
+    host.unnoticed("step", [&] { CHECK(world.step(kFrame)); });
+    host.unnoticed("update", [&] { CHECK(surface->update()); });
+    host.unnoticed("ray", [&] { CHECK(world.castRay({0, 0.3, 2}, {0, 0, -1})); });
+    host.unnoticed("push", [&] { CHECK(world.push({.at = {0, 0.3, 0}, .velocity = {0, 0, 1}})); });
+    host.unnoticed("saved", [&] { CHECK(world.stateHash()); });
+    host.unnoticed("gone", [&] { surface.reset(); });
+    host.hostile.reset();
+}
+
+TEST_CASE("library: a world on the CPU has a surface, too") {
+    Host host;
+    gl::Device device(host.options());
+    World onCpu = made(wallAndBall(), {});
+    World onGpu = made(wallAndBall(), {.device = &device, .solver = "cpu"});
+    gl::Surface a(device, onCpu), b(device, onGpu);
+    REQUIRE(a.ok());
+    for (int i = 0; i < 3; ++i) {
+        REQUIRE(onCpu.step(kFrame));
+        REQUIRE(onGpu.step(kFrame));
+    }
+    REQUIRE(a.update());
+    REQUIRE(b.update());
+    CHECK(same(verticesOf(a), verticesOf(b)));
+}
+
+TEST_CASE("library: a device without functions, without a context, or of one that is gone") {
+    gl::Device none({});
+    CHECK_FALSE(none.ok());
+    CHECK(none.error().code == Error::Code::Input);
+    CHECK(World::create(wallAndBall(), {.device = &none}).error().message == none.error().message);
+    gl::Device empty({.getProcAddress = [](const char*) { return static_cast<void*>(nullptr); }});
+    CHECK_FALSE(empty.ok());
+    CHECK(empty.error().code == Error::Code::Device);
+
+    auto host = std::make_unique<Host>();
+    gl::Device device(host->options());
+    World world = made(wallAndBall(), {.device = &device});
+    gl::Surface surface(device, world);
+    gl::Surface never(none, world);
+    CHECK_FALSE(never.ok());
+    CHECK_FALSE(never.update());
+    CHECK(never.vertexArray() == 0);
+    host.reset();
+    device.contextGone();
+    const Result<void> stepped = world.step(kFrame);
+    REQUIRE_FALSE(stepped);
+    CHECK(stepped.error().code == Error::Code::Device);
+    CHECK_FALSE(surface.update());
+    CHECK_FALSE(world.castRay({0, 0.3, 2}, {0, 0, -1}).has_value());
+    CHECK_FALSE(world.pieces());
+}
+
+TEST_CASE("library: a host that is in the midst of something is told so, and can go on") {
+    Host host;
+    gl::Device device(host.options());
+    World world = made(wallAndBall(), {.device = &device});
+    GLuint query = 0;
+    glGenQueries(1, &query);
+    glBeginQuery(GL_SAMPLES_PASSED, query);
+    const Result<void> refused = world.step(kFrame);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().code == Error::Code::Input);
+    glEndQuery(GL_SAMPLES_PASSED);
+    glDeleteQueries(1, &query);
+    CHECK(world.time() == 0);
+    CHECK(world.step(kFrame));
+    CHECK(world.substeps() == 50);
+}
