@@ -47,15 +47,15 @@ class GetProcAddress {
     explicit operator bool() const { return static_cast<bool>(find_); }
 
   private:
-    std::function<Function(const char*)> find_;
+    std::function<Function(const char*)> find_{};
 };
 
 /// How a Device uses a context.
 struct DeviceOptions {
-    GetProcAddress getProcAddress;  ///< Where GL's functions come from.
-    State state = State::Restored;  ///< What becomes of the host's state.
+    GetProcAddress getProcAddress{};  ///< Where GL's functions come from.
+    State state = State::Restored;    ///< What becomes of the host's state.
     /// Is told what goes wrong in the driver without a call failing. Called within calls.
-    std::function<void(std::string_view message)> log;
+    std::function<void(std::string_view message)> log{};
     /// Whether glGetError is asked in every call. Then memory that is missing is noticed wherever
     /// it is missing, but what the host had pending is lost to it (and told to `log`).
     bool askErrors = false;

@@ -50,7 +50,7 @@ struct SUNDER_API Material {
     /// Fails with the line of the first thing that is wrong. From any thread.
     static Result<Material> load(std::string_view path);
 
-    std::string name;  ///< For messages: one line of up to 1000 bytes of UTF-8, or empty.
+    std::string name{};  ///< For messages: one line of up to 1000 bytes of UTF-8, or empty.
 
     /// Young's modulus, Pa, 1 to 1e12. Stiffer. Limited by the substep; World::notes() then says
     /// so.

@@ -54,21 +54,21 @@ constexpr Side operator&(Side a, Side b) {
 
 /// Gives a box of a body's cells another material, or takes them away.
 struct RegionDesc {
-    IVec3 from;         ///< First cell, counted from 0.
-    IVec3 to;           ///< Last cell, included; not before the first, and in the body.
+    IVec3 from{};       ///< First cell, counted from 0.
+    IVec3 to{};         ///< Last cell, included; not before the first, and in the body.
     int material = -1;  ///< What WorldDesc::addMaterial() returned, or −1: no cells here.
 };
 
 /// A body: a block of cells that bends and breaks.
 struct BodyDesc {
-    std::string
-        name;  ///< For messages: one line of up to 64 bytes that no other body has, or empty.
+    /// For messages: one line of up to 64 bytes, or empty; no other body has it.
+    std::string name{};
     int material = 0;           ///< What WorldDesc::addMaterial() returned.
     Vec3 size{1, 1, 1};         ///< m, each 0.001 to 1000.
     IVec3 cells{1, 1, 1};       ///< Cells along x, y, z, each from 1. All bodies: up to 4,000,000.
-    Vec3 position;              ///< m, world, each −1e4 to 1e4: centre of the bottom face.
+    Vec3 position{};            ///< m, world, each −1e4 to 1e4: centre of the bottom face.
     Side anchors = Side::None;  ///< Sides that never move.
-    std::vector<RegionDesc> regions;  ///< Up to 256; later ones override earlier ones.
+    std::vector<RegionDesc> regions{};  ///< Up to 256; later ones override earlier ones.
     /// Whether it may lie within others as the world begins.
     bool mayOverlap = false;
 };
@@ -98,25 +98,25 @@ struct SUNDER_API Object {
     /// The same, with its centre there as the world begins. m, each −1e4 to 1e4.
     Object at(Vec3 position) const;
 
-    std::string name;             ///< For messages: one line of up to 64 bytes, or empty.
+    std::string name{};           ///< For messages: one line of up to 64 bytes, or empty.
     Shape shape = Shape::Sphere;  ///< Its shape.
     Vec3 size{0.2, 0.2, 0.2};  ///< m: a box's edges; of a sphere x is its diameter; of a capsule x
                                ///< is its diameter, y its whole length.
     double mass = 1;           ///< kg, 1e-6 to 1e9; of no account where it is fixed or kinematic.
     /// m, world: its centre, each −1e4 to 1e4. None: it is not there until it is thrown or put
     /// somewhere (World::throwObject(), World::setKinematic()).
-    std::optional<Vec3> position;
-    Quat orientation;               ///< How it is turned.
-    Vec3 velocity;                  ///< m/s, each −1e4 to 1e4.
-    Vec3 spin;                      ///< rad/s, about the world's axes, each −1e4 to 1e4.
-    double friction = 0.5;          ///< Coulomb's, 0 to 10; with what it touches: the mean.
-    double restitution = 0.3;       ///< 0 to 1; likewise.
-    double drag = 0.05;             ///< 1/s, 0 to 1000, of motion and spin.
-    bool isFixed = false;           ///< Never moves.
-    bool isKinematic = false;       ///< Moved by nothing but World::setKinematic().
-    std::optional<Vec3> hungFrom;   ///< m, world: it hangs from here on a chain that is straight.
-    Vec3 colour{0.25, 0.25, 0.28};  ///< Linear RGB, each 0 to 1; in Sunder's own pictures.
-    bool mayOverlap = false;        ///< Whether it may lie within others as the world begins.
+    std::optional<Vec3> position{};
+    Quat orientation{};              ///< How it is turned.
+    Vec3 velocity{};                 ///< m/s, each −1e4 to 1e4.
+    Vec3 spin{};                     ///< rad/s, about the world's axes, each −1e4 to 1e4.
+    double friction = 0.5;           ///< Coulomb's, 0 to 10; with what it touches: the mean.
+    double restitution = 0.3;        ///< 0 to 1; likewise.
+    double drag = 0.05;              ///< 1/s, 0 to 1000, of motion and spin.
+    bool isFixed = false;            ///< Never moves.
+    bool isKinematic = false;        ///< Moved by nothing but World::setKinematic().
+    std::optional<Vec3> hungFrom{};  ///< m, world: it hangs from here on a chain that is straight.
+    Vec3 colour{0.25, 0.25, 0.28};   ///< Linear RGB, each 0 to 1; in Sunder's own pictures.
+    bool mayOverlap = false;         ///< Whether it may lie within others as the world begins.
 };
 
 /// All bodies, of Push::body.
@@ -131,11 +131,11 @@ struct Push {
     int body = kEveryBody;
     /// m, world, each −1e4 to 1e4. Of one body: at rest, where it was when the world began
     /// (RayHit::restPlace).
-    Vec3 at;
+    Vec3 at{};
     double radius = 0.1;  ///< m, above 0 to 1e4.
-    Vec3 velocity;  ///< m/s, each −1e12 to 1e12: how much faster it would be if it were free.
-    Vec3 impulse;   ///< N·s, likewise: all of it together. Only of one body.
-    Vec3 force;     ///< N, likewise: all of it together. Only of one body.
+    Vec3 velocity{};  ///< m/s, each −1e12 to 1e12: how much faster it would be if it were free.
+    Vec3 impulse{};   ///< N·s, likewise: all of it together. Only of one body.
+    Vec3 force{};     ///< N, likewise: all of it together. Only of one body.
     /// m/s, −1e12 to 1e12: the same as `velocity`, away from `at`. Only of every body.
     double outward = 0;
     /// Whether it lessens towards the rim, by 1 − d²/radius² at distance d. Only of every body.
@@ -148,19 +148,19 @@ struct Push {
 struct Throw {
     double time = 0;  ///< s, 0 to 1e5, since the world began.
     int object = 0;   ///< What WorldDesc::addObject() returned: neither fixed, kinematic nor hung.
-    Vec3 from;        ///< m, world, each −1e4 to 1e4: its centre.
-    Vec3 velocity;    ///< m/s, each −1e4 to 1e4.
-    Vec3 spin;        ///< rad/s, about the world's axes, each −1e4 to 1e4.
+    Vec3 from{};      ///< m, world, each −1e4 to 1e4: its centre.
+    Vec3 velocity{};  ///< m/s, each −1e4 to 1e4.
+    Vec3 spin{};      ///< rad/s, about the world's axes, each −1e4 to 1e4.
 };
 
 /// Walls of a room, upright and without end, that nothing passes.
 struct RoomDesc {
-    double minX = -4;               ///< m, −1e4 to 1e4, less than maxX.
-    double maxX = 4;                ///< m, −1e4 to 1e4.
-    double minZ = -3;               ///< m, −1e4 to 1e4, less than maxZ.
-    double maxZ = 3;                ///< m, −1e4 to 1e4.
-    double friction = 0.6;          ///< Coulomb's, 0 to 10.
-    std::optional<double> ceiling;  ///< m, its height, above 0 to 1e4.
+    double minX = -4;                 ///< m, −1e4 to 1e4, less than maxX.
+    double maxX = 4;                  ///< m, −1e4 to 1e4.
+    double minZ = -3;                 ///< m, −1e4 to 1e4, less than maxZ.
+    double maxZ = 3;                  ///< m, −1e4 to 1e4.
+    double friction = 0.6;            ///< Coulomb's, 0 to 10.
+    std::optional<double> ceiling{};  ///< m, its height, above 0 to 1e4.
 };
 
 /// Everything about a world before it is made. Copied by World::create().
@@ -182,15 +182,15 @@ struct SUNDER_API WorldDesc {
     /// it.
     int addObject(Object object);
 
-    std::vector<Material> materials;  ///< At least one, up to 1000.
-    std::vector<BodyDesc> bodies;     ///< At least one, up to 10,000.
-    std::vector<Object> objects;      ///< Up to 250.
-    std::vector<Push> pushes;         ///< Known beforehand: `delay` counts from the beginning.
-    std::vector<Throw> throws;        ///< Known beforehand.
-    Vec3 gravity{0, -9.81, 0};        ///< m/s², each −1000 to 1000.
-    bool ground = true;               ///< Whether there is a floor at y = 0.
-    double groundFriction = 0.6;      ///< Coulomb's, 0 to 10.
-    std::optional<RoomDesc> room;     ///< Walls around everything.
+    std::vector<Material> materials{};  ///< At least one, up to 1000.
+    std::vector<BodyDesc> bodies{};     ///< At least one, up to 10,000.
+    std::vector<Object> objects{};      ///< Up to 250.
+    std::vector<Push> pushes{};         ///< Known beforehand: `delay` counts from the beginning.
+    std::vector<Throw> throws{};        ///< Known beforehand.
+    Vec3 gravity{0, -9.81, 0};          ///< m/s², each −1000 to 1000.
+    bool ground = true;                 ///< Whether there is a floor at y = 0.
+    double groundFriction = 0.6;        ///< Coulomb's, 0 to 10.
+    std::optional<RoomDesc> room{};     ///< Walls around everything.
     /// Whether pieces push each other. Off: they pass through each other, at half the cost.
     bool contact = true;
     /// m/s, 0.2 to 100: what overlaps as the world begins parts no faster.
@@ -201,7 +201,7 @@ struct SUNDER_API WorldDesc {
     std::uint64_t seed = 1;    ///< Of the scatter of strengths: another one breaks another way.
 
     /// Why a material that was to be added is none; World::create() fails with it.
-    std::optional<Error> missing;
+    std::optional<Error> missing{};
 };
 
 /// Where a world can be simulated other than on the CPU: a gl::Device (sunder/gl.hpp).
@@ -226,14 +226,14 @@ struct WorldOptions {
     const TaskSystem* tasks = nullptr;
     /// By which solver: "cpu" or "reference"; with a device "gather", "scatter" or "auto", too
     /// (docs/solvers.md). Empty: "gather" with a device, else "cpu".
-    std::string_view solver;
+    std::string_view solver{};
     int threads = 0;       ///< Of a solver with threads, 1 to 1024; 0: as many as there are cores.
     int incidents = 4096;  ///< How many are kept until they are taken, 0 (none) to 1e6.
     /// Whether what stands begins at rest under its own weight, which may take seconds to find;
     /// else weight acts as a blow in the first moment.
     bool settle = true;
     /// Told how much of that is done, 0 to 1.
-    std::function<void(double)> progress;
+    std::function<void(double)> progress{};
 };
 
 /// Something that happened: for sounds, particles, rules of a game.
@@ -245,7 +245,7 @@ struct Incident {
     };
     Kind kind = Kind::Contact;  ///< What happened.
     double time = 0;            ///< s, World::time() of the look that found it, up to 1/60 s later.
-    Vec3 place;                 ///< m, world.
+    Vec3 place{};               ///< m, world.
     double impulse = 0;      ///< N·s: of a contact what was given, of a break what the bond bore.
     int body = -1;           ///< Whose cell it is.
     int material = -1;       ///< Of that cell.
@@ -259,30 +259,30 @@ struct Piece {
     int body = -1;          ///< Whose cells they are.
     int cells = 0;          ///< How many.
     double mass = 0;        ///< kg.
-    Vec3 centre;            ///< m, world: of its mass.
-    Vec3 velocity;          ///< m/s, of its centre of mass.
-    Vec3 min;               ///< m, world: its bounds.
-    Vec3 max;               ///< m, world: its bounds.
+    Vec3 centre{};          ///< m, world: of its mass.
+    Vec3 velocity{};        ///< m/s, of its centre of mass.
+    Vec3 min{};             ///< m, world: its bounds.
+    Vec3 max{};             ///< m, world: its bounds.
     bool anchored = false;  ///< Whether something of it never moves.
 };
 
 /// What a ray meets first.
 struct RayHit {
     double distance = 0;  ///< m, from the ray's origin.
-    Vec3 place;           ///< m, world.
-    Vec3 normal;          ///< Of length 1, out of what was hit.
+    Vec3 place{};         ///< m, world.
+    Vec3 normal{};        ///< Of length 1, out of what was hit.
     int body = -1;        ///< Whose cell it is; −1: an object was hit.
     int material = -1;    ///< Of that cell; −1: an object was hit.
     int object = -1;      ///< The object; −1: a cell was hit.
-    Vec3 restPlace;       ///< m, world: where that was as the world began, for Push::at.
+    Vec3 restPlace{};     ///< m, world: where that was as the world began, for Push::at.
 };
 
 /// Where an object is and how it moves.
 struct ObjectState {
-    bool present = false;  ///< Whether it is there at all.
-    Transform transform;   ///< Where it is.
-    Vec3 velocity;         ///< m/s.
-    Vec3 spin;             ///< rad/s, about the world's axes.
+    bool present = false;   ///< Whether it is there at all.
+    Transform transform{};  ///< Where it is.
+    Vec3 velocity{};        ///< m/s.
+    Vec3 spin{};            ///< rad/s, about the world's axes.
 };
 
 /// How much of everything a world has.

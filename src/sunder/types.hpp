@@ -36,8 +36,8 @@ struct Quat {
 
 /// Where something is and how it is turned.
 struct Transform {
-    Vec3 position;     ///< m, world.
-    Quat orientation;  ///< From its own axes to the world's.
+    Vec3 position{};     ///< m, world.
+    Quat orientation{};  ///< From its own axes to the world's.
 };
 
 /// Why something did not happen.
@@ -50,7 +50,7 @@ struct Error {
         Bug = 4,     ///< A fault of Sunder's: please report the message.
     };
     Code code = Code::Input;  ///< What kind of reason it is.
-    std::string message;      ///< One sentence, in UTF-8, without a full stop.
+    std::string message{};    ///< One sentence, in UTF-8, without a full stop.
 };
 
 /// What a function returns that may fail: a value, or an Error. No function of Sunder throws.

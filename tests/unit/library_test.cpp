@@ -139,7 +139,10 @@ TEST_CASE("library: what makes no sense is refused with a sentence") {
                Catch::Contains("orientation"));
     CHECK_THAT(with([](WorldDesc& d) { d.objects[0].shape = static_cast<Object::Shape>(-1); }),
                Catch::Contains("shape"));
-    CHECK_THAT(with([](WorldDesc& d) { d.objects[0] = d.objects[0].kinematic().fixed(); }),
+    CHECK_THAT(with([](WorldDesc& d) {
+                   d.objects[0].velocity = {};
+                   d.objects[0] = d.objects[0].kinematic().fixed();
+               }),
                Catch::Contains("kinematic"));
     CHECK_THAT(with([](WorldDesc& d) { d.bodies[0].anchors = static_cast<Side>(64); }),
                Catch::Contains("anchors"));
