@@ -71,7 +71,7 @@ class SUNDER_API Device : public sunder::Device {
     /// Adopts the context that is current. Where that fails, ok() is false, and World::create() and
     /// Surface fail with error().
     explicit Device(DeviceOptions options);
-    ~Device() override;
+    ~Device() override;                         ///< The host's context stays as it is.
     Device(const Device&) = delete;             ///< There is one for a context.
     Device& operator=(const Device&) = delete;  ///< There is one for a context.
 
@@ -134,7 +134,7 @@ class SUNDER_API Surface {
     /// may be simulated on the CPU; then its state is uploaded by every update(). Both must outlive
     /// this. Where it fails, ok() is false.
     Surface(Device& device, World& world);
-    ~Surface();
+    ~Surface();                                   ///< Before its world.
     Surface(const Surface&) = delete;             ///< It belongs to one world.
     Surface& operator=(const Surface&) = delete;  ///< It belongs to one world.
 

@@ -71,10 +71,10 @@ typedef enum sunder_motion {
 
 /* A rigid object: sunder::Object. sunder_object_default() first. */
 typedef struct sunder_object {
-    sunder_shape shape;
-    double size[3]; /* m: a box's edges; else x the diameter and, of a capsule, y the length. */
-    double mass;    /* kg. */
-    sunder_motion motion;
+    sunder_shape shape; /* Its shape. */
+    double size[3];     /* m: a box's edges; else x the diameter and, of a capsule, y the length. */
+    double mass;        /* kg. */
+    sunder_motion motion;  /* How it moves. */
     int present;           /* Whether it is there as the world begins. */
     double position[3];    /* m, world: its centre. */
     double orientation[4]; /* A unit quaternion: w, x, y, z. */
@@ -108,16 +108,16 @@ typedef struct sunder_incident {
 
 /* What a ray meets: sunder::RayHit. */
 typedef struct sunder_ray_hit {
-    double distance; /* m. */
-    double place[3]; /* m, world. */
-    double normal[3];
+    double distance;            /* m. */
+    double place[3];            /* m, world. */
+    double normal[3];           /* Of length 1, outwards. */
     int body, material, object; /* Indices, or -1. */
     double rest_place[3];       /* m, world, at rest. */
 } sunder_ray_hit;
 
 /* Triangles of one material: sunder::gl::Range. */
 typedef struct sunder_range {
-    int material;
+    int material;    /* Index. */
     int inside;      /* 1: what a break bares. */
     int transparent; /* 1: light passes. */
     int count;       /* Indices. */

@@ -207,7 +207,7 @@ struct SUNDER_API WorldDesc {
 /// Where a world can be simulated other than on the CPU: a gl::Device (sunder/gl.hpp).
 class SUNDER_API Device {
   public:
-    virtual ~Device();
+    virtual ~Device();  ///< After its worlds.
 
   protected:
     /// For gl::Device.
