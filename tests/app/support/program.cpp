@@ -38,8 +38,14 @@ std::string quoted(const std::string& word) {
     return '"' + word + '"';
 }
 int runShell(const std::string& command) {
-    // cmd removes the first and the last quote of a line.
-    return _wsystem(sunder::files::utf16FromUtf8('"' + command + '"').c_str());
+    // cmd's code for a program that it could not start. Wine's cmd now and then cannot start one
+    // that is there when the machine is busy; nothing has run then.
+    constexpr int kNotStarted = 9009;
+    int code = kNotStarted;
+    for (int attempt = 0; attempt < 5 && code == kNotStarted; ++attempt)
+        // cmd removes the first and the last quote of a line.
+        code = _wsystem(sunder::files::utf16FromUtf8('"' + command + '"').c_str());
+    return code;
 }
 int exitCodeOf(int status) {
     return status;
