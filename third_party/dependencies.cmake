@@ -4,9 +4,15 @@
 # --- The library ---
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(tomlplusplus REQUIRED)
 find_package(hwy 1.0 REQUIRED CONFIG) # SIMD
 find_package(TBB REQUIRED CONFIG)     # threads: oneTBB
+
+# toml++: its headers. What else it has is compiled in one place (src/scene/toml_library.cpp), where others would compile all of it or
+# need its library.
+find_path(TOML_INCLUDE_DIR toml++/toml.h REQUIRED)
+add_library(sunder_toml INTERFACE)
+target_include_directories(sunder_toml SYSTEM INTERFACE ${TOML_INCLUDE_DIR})
+target_compile_definitions(sunder_toml INTERFACE TOML_HEADER_ONLY=0)
 
 if(NOT SUNDER_GL)
   return()

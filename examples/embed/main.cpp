@@ -6,35 +6,46 @@
 
 #include <sunder/gl.hpp>
 
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 #include <vector>
 
 namespace {
 
-// Everything is seen from here; a projection without matrices keeps the example short.
-constexpr double kEye[] = {0.8, 1.5, 4.2}, kZoom = 1.6;
+// Everything is seen from here, to the lower left; `kAxes` are the camera's right, up and back.
+constexpr sunder::Vec3 kEye{2.2, 1.9, 3.1};
+constexpr sunder::Vec3 kAxes[] = {{0.816, 0, -0.578}, {-0.139, 0.971, -0.196}, {0.561, 0.240, 0.792}};
+constexpr double kZoom = 1.9;
 
 const char* const kVertexShader = R"(#version 410 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
+layout(location = 7) in int cell;
 uniform vec3 eye;
+uniform mat3 axes;
 uniform vec2 zoom;
 out vec3 n;
+flat out float tint;
 void main() {
     n = normal;
-    vec3 p = position - eye;
-    gl_Position = vec4(zoom * (p.xy + vec2(0.8, 0.5) * (-p.z / 4.2)), -p.z - 0.2, -p.z);
+    tint = 0.8 + 0.4 * fract(0.618034 * float(cell));
+    vec3 p = (position - eye) * axes;
+    gl_Position = vec4(zoom * p.xy, -p.z - 0.2, -p.z);
 })";
 const char* const kFragmentShader = R"(#version 410 core
 in vec3 n;
+flat in float tint;
 uniform vec3 colour;
 out vec4 pixel;
 void main() {
     float light = 0.35 + 0.65 * max(0.0, dot(normalize(n), normalize(vec3(0.4, 0.7, 0.6))));
-    pixel = vec4(sqrt(colour * light), 1.0);
+    pixel = vec4(sqrt(tint * colour * light), 1.0);
 })";
+
+float f(double value) {
+    return static_cast<float>(value);
+}
 
 GLuint shader(GLenum type, const char* text) {
     const GLuint made = glCreateShader(type);
@@ -95,7 +106,7 @@ int main(int count, char** arguments) {
             const double aspect = static_cast<double>(width) / (height > 0 ? height : 1);
             const bool down = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
             if ((down && !wasDown) || (frames > 0 && frame == 10)) {
-                double x = 0.5 * width, y = 0.4 * height;
+                double x = 0.5 * width, y = 0.45 * height;
                 int windowWidth, windowHeight;
                 glfwGetWindowSize(window, &windowWidth, &windowHeight);
                 if (down) {
@@ -103,10 +114,12 @@ int main(int count, char** arguments) {
                     x *= static_cast<double>(width) / windowWidth, y *= static_cast<double>(height) / windowHeight;
                 }
                 // The projection of the vertex shader, the other way round.
-                const sunder::Vec3 ray{(2 * x / width - 1) * aspect / kZoom - 0.8 / 4.2,
-                                       (1 - 2 * y / height) / kZoom - 0.5 / 4.2, -1};
-                if (auto aim = world.castRay({kEye[0], kEye[1], kEye[2]}, ray))
-                    world.push({.at = aim->place, .radius = 0.3, .velocity = {0, 0, -25}, .falloff = true});
+                const double right = (2 * x / width - 1) * aspect / kZoom, up = (1 - 2 * y / height) / kZoom;
+                const sunder::Vec3 ray{right * kAxes[0].x + up * kAxes[1].x - kAxes[2].x,
+                                       right * kAxes[0].y + up * kAxes[1].y - kAxes[2].y,
+                                       right * kAxes[0].z + up * kAxes[1].z - kAxes[2].z};
+                if (auto aim = world.castRay(kEye, ray))
+                    world.push({.at = aim->place, .radius = 0.45, .velocity = {0, 0, -25}, .falloff = true});
             }
             wasDown = down;
             world.step(1.0 / 60);
@@ -118,13 +131,16 @@ int main(int count, char** arguments) {
             glEnable(GL_DEPTH_TEST);
             glEnable(GL_CULL_FACE);
             glUseProgram(program);
-            glUniform3f(glGetUniformLocation(program, "eye"), kEye[0], kEye[1], kEye[2]);
-            glUniform2f(glGetUniformLocation(program, "zoom"), static_cast<float>(kZoom / aspect), kZoom);
+            const float axes[] = {f(kAxes[0].x), f(kAxes[0].y), f(kAxes[0].z), f(kAxes[1].x), f(kAxes[1].y),
+                                  f(kAxes[1].z), f(kAxes[2].x), f(kAxes[2].y), f(kAxes[2].z)};
+            glUniform3f(glGetUniformLocation(program, "eye"), f(kEye.x), f(kEye.y), f(kEye.z));
+            glUniformMatrix3fv(glGetUniformLocation(program, "axes"), 1, GL_FALSE, axes);
+            glUniform2f(glGetUniformLocation(program, "zoom"), f(kZoom / aspect), f(kZoom));
             glBindVertexArray(surface.vertexArray());
             for (const sunder::gl::Range& range : surface.ranges()) {
                 const sunder::Material& look = desc.materials[range.material];
                 const sunder::Vec3 c = range.inside ? look.insideColour : look.colour;
-                glUniform3f(glGetUniformLocation(program, "colour"), c.x, c.y, c.z);
+                glUniform3f(glGetUniformLocation(program, "colour"), f(c.x), f(c.y), f(c.z));
                 glDrawElements(GL_TRIANGLES, range.count, GL_UNSIGNED_INT, range.offset);
             }
             if (count > 2 && frame == frames - 1) writePicture(arguments[2], width, height);
