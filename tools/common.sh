@@ -40,7 +40,7 @@ is_configured() {
         ! grep -sqxE 'BUILD_TESTING:[A-Z]*=(OFF|NO|0|FALSE)' "$root/build/CMakeCache.txt"
 }
 
-# build TARGET: Ninja repeats CMake and compiles only where something changed. SUNDER_PRESET names another preset than `default`
+# build TARGET...: Ninja repeats CMake and compiles only where something changed. SUNDER_PRESET names another preset than `default`
 # for a folder that is not configured yet.
 build() {
     if ! is_configured; then
@@ -50,7 +50,7 @@ build() {
         fi
         (cd "$root" && cmake --fresh --preset "$preset" -B build)
     fi
-    cmake --build "$root/build" --target "$1"
+    cmake --build "$root/build" --target "$@"
 }
 
 processors() {
