@@ -109,10 +109,10 @@ class Bench {
   private:
     void openContext() {
         try {
-            context_ = gl::createHeadlessContext();
+            context_ = window::createHeadlessContext();
             report_.renderer = context_->info().renderer;
             report_.glVersion = context_->info().version;
-        } catch (const ContextError& error) {
+        } catch (const DeviceError& error) {
             for (const std::string& name : options_.solvers)
                 if (sim_gl::findSolver(name, "--solvers").gpu) throw;
             std::cerr << "sunder: note: CPU solvers only, and nothing is drawn: " << error.what()
@@ -256,7 +256,7 @@ class Bench {
     BenchOptions options_;
     BenchLimits limits_;
     BenchReport report_;
-    std::unique_ptr<gl::Context> context_;
+    std::unique_ptr<window::Context> context_;
     std::vector<Entrant> entrants_;
 };
 

@@ -56,7 +56,7 @@ std::string Entrant::label() const {
 }
 
 Contest::Contest(scene::Scene scene, const std::vector<Entrant>& entrants,
-                 const BenchLimits& limits, const gl::Context* context)
+                 const BenchLimits& limits, const window::Context* context)
     : scene_(std::move(scene)),
       layout_(std::make_shared<sim_gl::GlLayout>(scene_.world)),
       limits_(limits),

@@ -32,7 +32,7 @@ class Contest {
     /// drawn. A solver that the device has no room for is skipped, with the reason in its
     /// result.
     Contest(scene::Scene, const std::vector<Entrant>&, const BenchLimits&,
-            const gl::Context* context);
+            const window::Context* context);
     Contest(const Contest&) = delete;
     Contest& operator=(const Contest&) = delete;
 

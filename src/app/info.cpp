@@ -30,7 +30,7 @@ int info(const std::string& jsonPath) {
     files::checkWritable(jsonPath);
     nlohmann::ordered_json report;
     report["devices"] = nlohmann::ordered_json::array();
-    for (const gl::DeviceListEntry& entry : gl::listDevices()) {
+    for (const window::DeviceListEntry& entry : window::listDevices()) {
         nlohmann::ordered_json device = {
             {"index", entry.index}, {"description", entry.description}, {"usable", entry.usable}};
         std::cout << (entry.index < 0 ? std::string("-") : std::to_string(entry.index)) << "  "
@@ -46,7 +46,7 @@ int info(const std::string& jsonPath) {
     }
     int result = kDone;
     try {
-        const auto context = gl::createHeadlessContext();
+        const auto context = window::createHeadlessContext();
         const gl::DeviceInfo& picked = context->info();
         report["picked"] = toJson(picked);
         report["picked"]["device"] = picked.device;
@@ -55,7 +55,7 @@ int info(const std::string& jsonPath) {
                   << "  largest texture buffer " << picked.maxTextureBufferSize << " texels\n"
                   << "  feedback components    " << picked.maxTransformFeedbackComponents << '\n'
                   << "  samples                " << picked.maxSamples << '\n';
-    } catch (const ContextError& error) {
+    } catch (const DeviceError& error) {
         std::cerr << "sunder: " << error.what() << '\n';
         report["problem"] = error.what();
         result = kNoContext;

@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
     } catch (const core::InputError& error) {
         std::cerr << "sunder: " << error.what() << '\n';
         return app::kBadInput;
-    } catch (const core::ContextError& error) {
+    } catch (const core::DeviceError& error) {
         std::cerr << "sunder: " << error.what() << '\n';
         return app::kNoContext;
     } catch (const std::bad_alloc&) {

@@ -50,7 +50,7 @@ constexpr std::size_t kIncidentRoom = 65536;
 /// Draws a solver's state.
 class FramePainter {
   public:
-    FramePainter(const scene::Scene& scene, sim::Simulation& simulation, gl::Context& context,
+    FramePainter(const scene::Scene& scene, sim::Simulation& simulation, window::Context& context,
                  const render::RenderSettings& settings, render::WallColour colour)
         : camera_(scene.camera),
           context_(context),
@@ -78,7 +78,7 @@ class FramePainter {
 
   private:
     scene::CameraDescription camera_;
-    gl::Context& context_;
+    window::Context& context_;
     sim::Simulation& simulation_;
     sim_gl::DrawnState drawn_;
     render::Renderer renderer_;
@@ -159,9 +159,9 @@ int run(RunOptions options) {
 
     // Everything that can be refused is refused before the first file is made.
     const auto sinks = makeFrameSinks(options, scene.world, settings, facts.frames);
-    std::unique_ptr<gl::Context> context;
+    std::unique_ptr<window::Context> context;
     if (!sinks.empty() || solverInfo.gpu) {
-        context = gl::createHeadlessContext();
+        context = window::createHeadlessContext();
         facts.renderer = context->info().renderer;
         layout->upload();
     }

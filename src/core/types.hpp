@@ -19,8 +19,8 @@ struct MemoryError : InputError {
     using InputError::InputError;
 };
 
-/// No usable GL context, or a device that cannot do what GL 4.1 promises. Exit code 3.
-struct ContextError : std::runtime_error {
+/// A device that cannot do what is needed, or was lost. Exit code 3.
+struct DeviceError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 

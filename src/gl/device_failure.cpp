@@ -17,10 +17,10 @@ bool contextLost() {
 void failContextLost() {
     // A lost context may not even know its name.
     const GLubyte* renderer = glGetString(GL_RENDERER);
-    throw ContextError("the OpenGL context was lost: the device or its driver was reset" +
-                       (renderer ? " (" + std::string(reinterpret_cast<const char*>(renderer)) + ")"
-                                 : std::string()) +
-                       "; run it again, with fewer cells if that does not help");
+    throw DeviceError("the OpenGL context was lost: the device or its driver was reset" +
+                      (renderer ? " (" + std::string(reinterpret_cast<const char*>(renderer)) + ")"
+                                : std::string()) +
+                      "; run it again, with fewer cells if that does not help");
 }
 
 void failMemory(const std::string& what) {

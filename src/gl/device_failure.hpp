@@ -9,7 +9,7 @@ namespace sunder::gl {
 
 /// Whether the current context says that it is lost. A driver may say so only once.
 bool contextLost();
-/// Throws ContextError (exit code 3): what the context holds is gone, and the input is not to
+/// Throws DeviceError (exit code 3): what the context holds is gone, and the input is not to
 /// blame.
 [[noreturn]] void failContextLost();
 /// Throws InputError (exit code 2): less would have found room, as with a world beyond the device's

@@ -59,15 +59,15 @@ Driver::Driver(const LoadFunction& load, std::string device, Owner owner)
     : owner_(owner), asks_(owner == Owner::Sunder) {
     LoadFunction function = load;
     const int loaded = gladLoadGLContextUserPtr(&functions_, loadThrough, &function);
-    if (loaded == 0) throw ContextError("the driver's OpenGL entry points do not load");
+    if (loaded == 0) throw DeviceError("the driver's OpenGL entry points do not load");
     const Current current(*this);
     const int major = GLAD_VERSION_MAJOR(loaded), minor = GLAD_VERSION_MINOR(loaded);
     // OpenGL ES counts its versions for itself.
     const bool embedded = text(GL_VERSION).starts_with("OpenGL ES");
     if (embedded || major < 4 || (major == 4 && minor < 1))
-        throw ContextError("the driver offers OpenGL " + std::string(embedded ? "ES " : "") +
-                           std::to_string(major) + "." + std::to_string(minor) +
-                           ", Sunder needs 4.1 (" + text(GL_RENDERER) + ")");
+        throw DeviceError("the driver offers OpenGL " + std::string(embedded ? "ES " : "") +
+                          std::to_string(major) + "." + std::to_string(minor) +
+                          ", Sunder needs 4.1 (" + text(GL_RENDERER) + ")");
     info_.device = std::move(device);
     learn();
     if (info_.compatibility)

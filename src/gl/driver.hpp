@@ -36,7 +36,7 @@ class Driver {
         Host,
     };
 
-    /// Adopts the context that is current on the calling thread. Throws ContextError where it is
+    /// Adopts the context that is current on the calling thread. Throws DeviceError where it is
     /// older than GL 4.1 or not OpenGL. `device`: DeviceInfo::device. GL calls go to it from
     /// makeCurrent() on, or for as long as a Visit lives.
     Driver(const LoadFunction& load, std::string device, Owner owner);
@@ -66,7 +66,7 @@ class Driver {
     /// GL errors and debug messages of high severity since the last call, oldest first; empties
     /// the list. Errors that Sunder turned into an exception where they happened (no memory for a
     /// buffer, a shader that does not compile) are not in it. Of a host's context, those it knows
-    /// of without asking, unless askErrors(). Throws ContextError once the context is lost
+    /// of without asking, unless askErrors(). Throws DeviceError once the context is lost
     /// (gl/device_failure.hpp). The context must be current.
     std::vector<std::string> takeErrors();
     /// Throws std::runtime_error with the first of takeErrors(), if any; InputError when the

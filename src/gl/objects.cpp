@@ -53,7 +53,7 @@ double softwareMemory() {
     return half;
 }
 
-/// Runs an allocation. Throws InputError when the device has no memory for it, ContextError when it
+/// Runs an allocation. Throws InputError when the device has no memory for it, DeviceError when it
 /// is lost. `succeeded` tells, afterwards, where glGetError is not to be asked.
 template <class Call, class Succeeded>
 void allocate(const char* what, double bytes, Call call, Succeeded succeeded) {

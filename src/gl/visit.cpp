@@ -16,7 +16,7 @@ Visit::Visit(Driver& driver, State state, Work work)
     if (nested_) return;
     if (driver_.gone_) {
         if (work_ == Work::Any)
-            throw ContextError("the host's OpenGL context has been destroyed; make a new device");
+            throw DeviceError("the host's OpenGL context has been destroyed; make a new device");
         // Where no driver is current, objects are let go without a call.
         state_ = State::Ours;
         Driver::setCurrent(nullptr);

@@ -51,7 +51,7 @@ class Visit {
     };
 
     /// Throws InputError when the host is in the midst of something that cannot be interrupted;
-    /// then nothing has changed. Never where it only deletes. ContextError when the context is gone
+    /// then nothing has changed. Never where it only deletes. DeviceError when the context is gone
     /// and there is more to do than that.
     explicit Visit(Driver& driver, State state = State::Restored, Work work = Work::Any);
     ~Visit();

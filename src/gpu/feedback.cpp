@@ -70,7 +70,7 @@ gl::Framebuffer makeTarget(std::initializer_list<const gl::Texture*> textures) {
     for (const gl::Texture* texture : textures)
         glFramebufferTexture2D(GL_FRAMEBUFFER, attachment++, GL_TEXTURE_2D, texture->id(), 0);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw ContextError("the driver cannot draw into the textures a solver needs");
+        throw DeviceError("the driver cannot draw into the textures a solver needs");
     return framebuffer;
 }
 

@@ -47,7 +47,7 @@ TexelTarget::TexelTarget(int count, int columns, int layers, const char* what)
         }
         glDrawBuffers(static_cast<GLsizei>(attachments.size()), attachments.data());
         if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-            throw ContextError(
+            throw DeviceError(
                 "the driver cannot draw into floating-point textures, which the GPU solvers "
                 "need");
     }

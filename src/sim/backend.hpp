@@ -20,7 +20,7 @@ class Backend {
         Any,
         Deletes,  ///< only destructors
     };
-    /// Throws InputError where a host is in the midst of something, ContextError where the device
+    /// Throws InputError where a host is in the midst of something, DeviceError where the device
     /// is gone; never for work that only deletes.
     virtual std::unique_ptr<Stay> enter(Work = Work::Any) = 0;
 

@@ -15,7 +15,7 @@ inline Error currentError() {
         return {Error::Code::Memory, error.what()};
     } catch (const core::InputError& error) {
         return {Error::Code::Input, error.what()};
-    } catch (const core::ContextError& error) {
+    } catch (const core::DeviceError& error) {
         return {Error::Code::Device, error.what()};
     } catch (const std::bad_alloc&) {
         return {Error::Code::Memory, "there is not enough memory"};

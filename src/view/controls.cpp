@@ -7,9 +7,9 @@
 namespace sunder::view {
 namespace {
 
-using gl::Input;
-using gl::InputEvent;
-using gl::Key;
+using window::Input;
+using window::InputEvent;
+using window::Key;
 
 constexpr double kShotsApart = 0.12;  // s, while the mouse is dragged
 
@@ -29,10 +29,10 @@ void nextSolver(Session& session) {
 }
 
 /// True: quit.
-bool pressKey(Session& session, Key key, const gl::Modifiers& with) {
+bool pressKey(Session& session, Key key, const window::Modifiers& with) {
     Settings& settings = session.settings;
-    if (with.control) return key == gl::key('Q');
-    if (key >= gl::key('1') && key <= gl::key('9')) {
+    if (with.control) return key == window::key('Q');
+    if (key >= window::key('1') && key <= window::key('9')) {
         session.hitPreset(static_cast<int>(key) - '0');
         return false;
     }
@@ -176,8 +176,8 @@ void Controls::move(Session& session, const InputEvent& moved) {
 
 void Controls::press(Session& session, const InputEvent& pressed) {
     button_ = pressed.button;
-    if (pressed.button != gl::MouseButton::Left) {
-        const bool pan = pressed.button == gl::MouseButton::Middle || pressed.with.shift;
+    if (pressed.button != window::MouseButton::Left) {
+        const bool pan = pressed.button == window::MouseButton::Middle || pressed.with.shift;
         drag_ = pan ? Drag::Pan : Drag::Orbit;
         return;
     }
@@ -229,8 +229,8 @@ void Controls::fly(Session& session, double elapsed) const {
     const auto down = [&](Key key) { return held.count(key) || tapped_.count(key) ? 1.0 : 0.0; };
     const auto axis = [&](Key back, Key ahead) { return down(ahead) - down(back); };
     const double time = std::min(elapsed, 0.1), step = time * camera.distance() * 0.8;
-    camera.move(step * axis(gl::key('S'), gl::key('W')), step * axis(gl::key('A'), gl::key('D')),
-                step * axis(gl::key('Q'), gl::key('E')));
+    camera.move(step * axis(window::key('S'), window::key('W')), step * axis(window::key('A'), window::key('D')),
+                step * axis(window::key('Q'), window::key('E')));
     const double turn = 1.5 * time;
     camera.orbit(turn * axis(Key::Left, Key::Right), turn * axis(Key::Down, Key::Up));
 }

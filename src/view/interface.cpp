@@ -99,7 +99,7 @@ void setStyle(float scale) {
 
 }  // namespace
 
-Interface::Interface(gl::Window& window) : window_(window) {
+Interface::Interface(window::Window& window) : window_(window) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
@@ -132,8 +132,8 @@ void Interface::setScale(float scale) {
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
-void Interface::feed(const gl::InputEvent& event) {
-    using Kind = gl::InputEvent::Kind;
+void Interface::feed(const window::InputEvent& event) {
+    using Kind = window::InputEvent::Kind;
     GLFWwindow* const window = window_.handle();
     const auto& glfw = event.glfw;
     fed_ = true;
@@ -187,7 +187,7 @@ void Interface::pointMouse() const {
     const auto wheelY = static_cast<float>(mouse_.wheelY);
 #if IMGUI_VERSION_NUM >= 18700
     io.AddMousePosEvent(place.x, place.y);
-    for (int i = 0; i < gl::kMouseButtons; ++i) io.AddMouseButtonEvent(i, mouse_.held[i]);
+    for (int i = 0; i < window::kMouseButtons; ++i) io.AddMouseButtonEvent(i, mouse_.held[i]);
     if (wheelX != 0 || wheelY != 0) io.AddMouseWheelEvent(wheelX, wheelY);
 #if IMGUI_VERSION_NUM >= 18900
     io.AddKeyEvent(ImGuiMod_Ctrl, (modifiers_ & GLFW_MOD_CONTROL) != 0);

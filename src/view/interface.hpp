@@ -16,14 +16,14 @@ class Interface {
     /// left, top, right, bottom in pixels of the framebuffer, from the top left.
     using Rectangle = std::array<float, 4>;
 
-    explicit Interface(gl::Window&);
+    explicit Interface(window::Window&);
     ~Interface();
     Interface(const Interface&) = delete;
     Interface& operator=(const Interface&) = delete;
 
     /// What mouse or keyboard did; the next frame of panels takes it in. One such frame sees all
     /// moves as one, but only one press, release or key: what comes next waits for the one after.
-    void feed(const gl::InputEvent&);
+    void feed(const window::InputEvent&);
     /// Something was fed that no frame of panels has seen.
     bool fed() const { return fed_; }
     /// Begins a frame of panels. `scale` is on top of the screen's own; letters are made anew when
@@ -82,13 +82,13 @@ class Interface {
     void setScale(float scale);
     void pointMouse() const;
 
-    gl::Window& window_;
+    window::Window& window_;
     float scale_ = 0;
     bool letGo_ = false, fed_ = false;
     struct {
         double x = 0, y = 0;  ///< pixels of the framebuffer
         bool inside = false;
-        bool held[gl::kMouseButtons] = {};
+        bool held[window::kMouseButtons] = {};
         double wheelX = 0, wheelY = 0;  ///< notches since the last frame of panels
     } mouse_;
     int modifiers_ = 0;  ///< as GLFW has them

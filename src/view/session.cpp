@@ -32,7 +32,7 @@ fs::path tomlPath(const fs::path& folder, const std::string& name) {
 
 }  // namespace
 
-Session::Session(gl::Window& shown, const Options& options, Settings remembered)
+Session::Session(window::Window& shown, const Options& options, Settings remembered)
     : window(shown),
       settings(std::move(remembered)),
       log(options.log),
@@ -62,7 +62,7 @@ bool Session::attempt(Action&& action) {
     try {
         action();
         return true;
-    } catch (const ContextError&) {
+    } catch (const DeviceError&) {
         throw;
     } catch (const std::bad_alloc&) {
         say("There is not enough memory for that; use fewer cells", true);
@@ -394,7 +394,7 @@ void Session::tryShaders() {
         ++generation_;
         shaderError_.clear();
         log.add("shaders", {{"error", nullptr}});
-    } catch (const ContextError&) {
+    } catch (const DeviceError&) {
         throw;
     } catch (const std::runtime_error& error) {
         // The programs that run go on, and what is made meanwhile is made of sound ones.

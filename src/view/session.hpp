@@ -45,7 +45,7 @@ struct ViewArea {
 class Session {
   public:
     /// Throws InputError when the first scene cannot be shown.
-    Session(gl::Window&, const Options&, Settings);
+    Session(window::Window&, const Options&, Settings);
 
     // --- scene and material ---
     void openScene(const std::string& nameOrPath);
@@ -123,7 +123,7 @@ class Session {
     const std::deque<Message>& messages() const { return messages_; }
     void forgetOldMessages();
 
-    gl::Window& window;
+    window::Window& window;
     Settings settings;
     EventLog log;
     Clock clock;

@@ -22,7 +22,7 @@ namespace {
 
 class Viewer {
   public:
-    Viewer(gl::Window& window, const Options& options, const Settings& settings)
+    Viewer(window::Window& window, const Options& options, const Settings& settings)
         : window_(window), session_(window, options, settings), interface_(window) {}
 
     /// Returns the signal that ended it, or 0.
@@ -103,8 +103,8 @@ class Viewer {
     /// sees how things are and not what happened, and widgets want the mouse over them before a
     /// button goes down, and down before it goes up. False: the user quits.
     bool replay() {
-        using Kind = gl::InputEvent::Kind;
-        for (const gl::InputEvent& event : window_.input().events) {
+        using Kind = window::InputEvent::Kind;
+        for (const window::InputEvent& event : window_.input().events) {
             const bool counts = event.kind == Kind::Press || event.kind == Kind::Release ||
                                 event.kind == Kind::Wheel || event.kind == Kind::KeyDown ||
                                 event.kind == Kind::KeyUp;
@@ -118,8 +118,8 @@ class Viewer {
 
     /// What is let go of as the window is minimised; nothing is pressed then.
     void letGo() {
-        using Kind = gl::InputEvent::Kind;
-        for (const gl::InputEvent& event : window_.input().events) {
+        using Kind = window::InputEvent::Kind;
+        for (const window::InputEvent& event : window_.input().events) {
             interface_.feed(event);
             if (event.kind == Kind::Release || event.kind == Kind::Blur)
                 controls_.take(session_, interface_, event);
@@ -127,7 +127,7 @@ class Viewer {
     }
 
     /// To themselves alone, with what has just happened.
-    bool showPanels(const gl::InputEvent* event) {
+    bool showPanels(const window::InputEvent* event) {
         interface_.begin(session_.settings.interfaceScale);
         layOut();
         const bool goOn = !event || controls_.take(session_, interface_, *event);
@@ -308,7 +308,7 @@ class Viewer {
         return recording;
     }
 
-    gl::Window& window_;
+    window::Window& window_;
     Session session_;
     Interface interface_;
     Controls controls_;
@@ -341,13 +341,13 @@ int view(const Options& options) {
     // What is wrong is a sentence, not a window that vanishes.
     startOverlaps(scene::loadScene(options.scene).world);
     if (!options.shaders.empty()) ShaderFolder check(options.shaders);
-    gl::Window::Options shown;
+    window::Window::Options shown;
     shown.title = "Sunder";
     shown.width = settings.width;
     shown.height = settings.height;
     shown.fullScreen = settings.fullScreen;
     shown.vsync = settings.vsync;
-    const auto window = gl::Window::open(shown);
+    const auto window = window::Window::open(shown);
     // A first time without a GPU: what the CPU is good at.
     std::error_code error;
     if (window->info().software && !std::filesystem::exists(settingsFile(), error)) {

@@ -2,12 +2,12 @@
 
 #include <utility>
 
-namespace sunder::gl {
+namespace sunder::window {
 
 Context::~Context() = default;
 
 void Context::initialise(std::string device) {
-    driver_.emplace(loadFunction(), std::move(device), Driver::Owner::Sunder);
+    driver_.emplace(loadFunction(), std::move(device), gl::Driver::Owner::Sunder);
     driver_->makeCurrent();
     info_ = driver_->info();
 }
@@ -17,4 +17,4 @@ void Context::makeCurrent() {
     driver_->makeCurrent();
 }
 
-}  // namespace sunder::gl
+}  // namespace sunder::window

@@ -7,7 +7,7 @@
 #include "core/types.hpp"
 #include "gl/driver.hpp"
 
-namespace sunder::gl {
+namespace sunder::window {
 
 enum class Profile {
     Core,
@@ -27,33 +27,33 @@ class Context {
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
 
-    const DeviceInfo& info() const { return info_; }
-    Driver& driver() { return *driver_; }
+    const gl::DeviceInfo& info() const { return info_; }
+    gl::Driver& driver() { return *driver_; }
     /// On the calling thread, with its driver. It must be current on no other.
     void makeCurrent();
     /// Where its functions come from, as a host would hand it to a guest.
-    virtual Driver::LoadFunction loadFunction() const = 0;
+    virtual gl::Driver::LoadFunction loadFunction() const = 0;
     /// As Driver has it.
     std::vector<std::string> takeErrors() { return driver_->takeErrors(); }
     void check() { driver_->check(); }
 
   protected:
     Context() = default;
-    /// Loads GL entry points, installs the debug callback. Throws ContextError below GL 4.1.
+    /// Loads GL entry points, installs the debug callback. Throws DeviceError below GL 4.1.
     void initialise(std::string device);
 
   private:
     friend std::unique_ptr<Context> createHeadlessContext(Profile);
     virtual void bindContext() = 0;
 
-    DeviceInfo info_;
-    std::optional<Driver> driver_;
+    gl::DeviceInfo info_;
+    std::optional<gl::Driver> driver_;
 };
 
 /// A context without a visible window: EGL devices, hardware before software, then
 /// EGL_MESA_platform_surfaceless; a hidden GLFW window where there is no EGL. The environment
 /// variable SUNDER_EGL_DEVICE (an index, `software`, or part of a name such as `nvidia`; empty
-/// means not set) picks a device strictly. Throws ContextError with one sentence that says what was
+/// means not set) picks a device strictly. Throws DeviceError with one sentence that says what was
 /// tried.
 std::unique_ptr<Context> createHeadlessContext(Profile = Profile::Core);
 
@@ -62,10 +62,10 @@ struct DeviceListEntry {
     int index;                ///< what SUNDER_EGL_DEVICE takes; −1: has none
     std::string description;  ///< extensions or names that tell devices apart
     bool usable;
-    DeviceInfo info;      ///< when usable
+    gl::DeviceInfo info;  ///< when usable
     std::string problem;  ///< when not
 };
 /// In the order of their index. Makes a context on each: afterwards none is current on this thread.
 std::vector<DeviceListEntry> listDevices();
 
-}  // namespace sunder::gl
+}  // namespace sunder::window

@@ -16,7 +16,7 @@
 #define EGL_RENDERER_EXT 0x335F
 #endif
 
-namespace sunder::gl {
+namespace sunder::window {
 
 using namespace core;
 
@@ -46,7 +46,7 @@ std::string errorText() {
 }
 
 [[noreturn]] void fail(const char* call) {
-    throw ContextError(std::string(call) + " failed: " + errorText());
+    throw DeviceError(std::string(call) + " failed: " + errorText());
 }
 
 bool hasExtension(const char* extensions, const std::string& name) {
@@ -68,7 +68,7 @@ class Display {
     Display(EGLenum platform, void* device) {
         const auto getPlatformDisplay =
             entryPoint<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
-        if (!getPlatformDisplay) throw ContextError("EGL lacks eglGetPlatformDisplayEXT");
+        if (!getPlatformDisplay) throw DeviceError("EGL lacks eglGetPlatformDisplayEXT");
         id_ = getPlatformDisplay(platform, device, nullptr);
         if (id_ == EGL_NO_DISPLAY) fail("eglGetPlatformDisplayEXT");
         const std::lock_guard lock(mutex());
@@ -112,7 +112,7 @@ EGLConfig anyConfig(const Display& display) {
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (!eglChooseConfig(display.id(), attributes, &config, 1, &count)) fail("eglChooseConfig");
-    if (count == 0) throw ContextError("no EGL config renders OpenGL");
+    if (count == 0) throw DeviceError("no EGL config renders OpenGL");
     return config;
 }
 
@@ -140,10 +140,10 @@ class OwnedContext {
     OwnedContext(const Display& display, Profile profile) : display_(display.id()) {
         const auto [major, minor] = display.version();
         if (std::pair(major, minor) < std::pair(1, 5))
-            throw ContextError("the driver offers EGL " + std::to_string(major) + "." +
-                               std::to_string(minor) + ", Sunder needs 1.5");
+            throw DeviceError("the driver offers EGL " + std::to_string(major) + "." +
+                              std::to_string(minor) + ", Sunder needs 1.5");
         if (!display.has("EGL_KHR_surfaceless_context"))
-            throw ContextError("the driver lacks EGL_KHR_surfaceless_context");
+            throw DeviceError("the driver lacks EGL_KHR_surfaceless_context");
         if (!eglBindAPI(EGL_OPENGL_API)) fail("eglBindAPI(EGL_OPENGL_API)");
         const EGLConfig config = anyConfig(display);
         id_ = makeContext(display, config, profile, 4, 1, true, true);
@@ -154,7 +154,7 @@ class OwnedContext {
             const std::string problem = errorText();
             id_ = makeContext(display, config, profile, 3, 2, false, false);
             if (id_ == EGL_NO_CONTEXT)
-                throw ContextError("eglCreateContext for OpenGL 4.1 core failed: " + problem);
+                throw DeviceError("eglCreateContext for OpenGL 4.1 core failed: " + problem);
         }
         try {
             makeCurrent();
@@ -189,7 +189,7 @@ class EglContext final : public Context {
         : display_(platform, device), context_(display_, profile) {
         initialise(description);
     }
-    Driver::LoadFunction loadFunction() const override { return eglGetProcAddress; }
+    gl::Driver::LoadFunction loadFunction() const override { return eglGetProcAddress; }
 
   private:
     void bindContext() override { context_.makeCurrent(); }
@@ -241,7 +241,7 @@ std::vector<EGLDeviceEXT> queryDevices(const char* clientExtensions) {
 std::vector<HeadlessCandidate> headlessCandidates() {
     const char* clientExtensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (!clientExtensions)
-        throw ContextError(
+        throw DeviceError(
             "EGL has no client extensions, so no device can be opened without a display");
 
     std::vector<HeadlessCandidate> candidates;
@@ -261,4 +261,4 @@ std::vector<HeadlessCandidate> headlessCandidates() {
     return candidates;
 }
 
-}  // namespace sunder::gl
+}  // namespace sunder::window

@@ -3,7 +3,7 @@
 #include "window/glfw_library.hpp"
 #include "window/headless_context.hpp"
 
-namespace sunder::gl {
+namespace sunder::window {
 
 using namespace core;
 
@@ -20,7 +20,7 @@ class GlfwContext final : public Context {
         bindContext();
         initialise(description);
     }
-    Driver::LoadFunction loadFunction() const override { return glfwGetProcAddress; }
+    gl::Driver::LoadFunction loadFunction() const override { return glfwGetProcAddress; }
 
   private:
     void bindContext() override { glfwMakeContextCurrent(window_.handle); }
@@ -33,7 +33,7 @@ class GlfwContext final : public Context {
             // An older context is made only so that initialise() can say which version there is.
             handle = makeWindow(profile, 3, 2, false, false);
             if (!handle)
-                throw ContextError("glfwCreateWindow for OpenGL 4.1 core failed: " + problem);
+                throw DeviceError("glfwCreateWindow for OpenGL 4.1 core failed: " + problem);
         }
         ~Window() {
             if (glfwGetCurrentContext() == handle) glfwMakeContextCurrent(nullptr);
@@ -58,4 +58,4 @@ std::vector<HeadlessCandidate> headlessCandidates() {
     return {{0, description, false, open}};
 }
 
-}  // namespace sunder::gl
+}  // namespace sunder::window

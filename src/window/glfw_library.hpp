@@ -9,7 +9,7 @@
 #include "core/types.hpp"
 #include "window/context.hpp"
 
-namespace sunder::gl {
+namespace sunder::window {
 
 /// What went wrong last, in GLFW's words.
 inline std::string glfwErrorText() {
@@ -33,12 +33,12 @@ inline void hintPlatform() {
 }
 
 /// GLFW, for as long as one of these lives. It belongs to the process and to its main thread.
-/// `advice` ends the sentence of the ContextError.
+/// `advice` ends the sentence of the DeviceError.
 struct GlfwLibrary {
     explicit GlfwLibrary(const std::string& advice = {}) {
         hintPlatform();
         if (!glfwInit())
-            throw core::ContextError("no window can be opened: " + glfwErrorText() + advice);
+            throw core::DeviceError("no window can be opened: " + glfwErrorText() + advice);
         ++users();
     }
     ~GlfwLibrary() {
@@ -69,4 +69,4 @@ inline void hintContext(Profile profile, int major, int minor, bool debug, bool 
     glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, told ? GLFW_LOSE_CONTEXT_ON_RESET : GLFW_NO_ROBUSTNESS);
 }
 
-}  // namespace sunder::gl
+}  // namespace sunder::window

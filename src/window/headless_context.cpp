@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-namespace sunder::gl {
+namespace sunder::window {
 
 using namespace core;
 
@@ -30,7 +30,7 @@ DeviceListEntry tryOut(const HeadlessCandidate& candidate) {
     try {
         entry.info = candidate.open(Profile::Core)->info();
         entry.usable = true;
-    } catch (const ContextError& error) {
+    } catch (const DeviceError& error) {
         entry.problem = error.what();
     }
     return entry;
@@ -48,8 +48,8 @@ std::string listing(const Candidates& candidates) {
 
 [[noreturn]] void failChoice(const std::string& choice, const std::string& why,
                              const Candidates& candidates) {
-    throw ContextError("SUNDER_EGL_DEVICE is '" + choice + "', but " + why + "; " +
-                       listing(candidates));
+    throw DeviceError("SUNDER_EGL_DEVICE is '" + choice + "', but " + why + "; " +
+                      listing(candidates));
 }
 
 bool isIndex(const std::string& choice) {
@@ -62,7 +62,7 @@ std::unique_ptr<Context> openIndex(const std::string& choice, const Candidates& 
         if (std::to_string(candidate.index) != choice) continue;
         try {
             return candidate.open(profile);
-        } catch (const ContextError& error) {
+        } catch (const DeviceError& error) {
             failChoice(choice, "that device does not work (" + std::string(error.what()) + ")",
                        candidates);
         }
@@ -82,12 +82,12 @@ std::unique_ptr<Context> openNamed(const std::string& choice, const Candidates& 
         try {
             // Some names are known only to the driver, once it runs.
             std::unique_ptr<Context> context = candidate.open(profile);
-            const DeviceInfo& info = context->info();
+            const gl::DeviceInfo& info = context->info();
             const std::string names = lowerCase(info.vendor + '\n' + info.renderer);
             if (described ||
                 (wanted == "software" ? info.software : names.find(wanted) != std::string::npos))
                 return context;
-        } catch (const ContextError& error) {
+        } catch (const DeviceError& error) {
             if (described) problems.push_back(candidate.description + ": " + error.what());
         }
     }
@@ -119,11 +119,11 @@ std::unique_ptr<Context> createHeadlessContext(Profile profile) {
             std::unique_ptr<Context> context = candidate.open(profile);
             context->info_.skipped = std::move(problems);
             return context;
-        } catch (const ContextError& error) {
+        } catch (const DeviceError& error) {
             problems.push_back(candidate.description + ": " + error.what());
         }
     }
-    throw ContextError(
+    throw DeviceError(
         "no usable OpenGL 4.1 context; tried " +
         (problems.empty() ? "nothing: there are no devices; is a driver, such as Mesa's, installed?"
                           : join(problems)));
@@ -136,4 +136,4 @@ std::vector<DeviceListEntry> listDevices() {
     return entries;
 }
 
-}  // namespace sunder::gl
+}  // namespace sunder::window

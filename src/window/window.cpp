@@ -9,7 +9,7 @@
 
 #include "window/glfw_library.hpp"
 
-namespace sunder::gl {
+namespace sunder::window {
 
 using namespace core;
 
@@ -117,7 +117,7 @@ class GlfwWindow final : public Window {
     }
 
     GLFWwindow* handle() const override { return window_.handle; }
-    Driver::LoadFunction loadFunction() const override { return glfwGetProcAddress; }
+    gl::Driver::LoadFunction loadFunction() const override { return glfwGetProcAddress; }
 
   private:
     void bindContext() override { glfwMakeContextCurrent(handle()); }
@@ -126,7 +126,7 @@ class GlfwWindow final : public Window {
         explicit Handle(const Options& options) : handle(makeWindow(options, true)) {
             if (!handle) handle = makeWindow(options, false);
             if (!handle)
-                throw ContextError(
+                throw DeviceError(
                     "a window with OpenGL 4.1 core cannot be opened: " + glfwErrorText() + kAdvice);
         }
         ~Handle() {
@@ -287,4 +287,4 @@ std::unique_ptr<Window> Window::open(const Options& options) {
     return std::make_unique<GlfwWindow>(options);
 }
 
-}  // namespace sunder::gl
+}  // namespace sunder::window

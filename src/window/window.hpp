@@ -8,7 +8,7 @@
 
 struct GLFWwindow;
 
-namespace sunder::gl {
+namespace sunder::window {
 
 /// A key: letters by what the layout prints on it, in upper case; digits and signs by what an
 /// American keyboard prints in that place; the others by these.
@@ -99,7 +99,7 @@ class Window : public Context {
         int width = 1280, height = 720;  ///< as the desktop measures
         bool fullScreen = false, vsync = true;
     };
-    /// Throws ContextError, with one sentence, where there is no screen or no GL 4.1.
+    /// Throws DeviceError, with one sentence, where there is no screen or no GL 4.1.
     static std::unique_ptr<Window> open(const Options&);
 
     /// Takes in what happened since the last time. Waits up to `patience` s for something to
@@ -134,4 +134,4 @@ class Window : public Context {
     virtual GLFWwindow* handle() const = 0;
 };
 
-}  // namespace sunder::gl
+}  // namespace sunder::window

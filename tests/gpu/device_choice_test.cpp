@@ -18,6 +18,7 @@
 using namespace sunder;
 using namespace sunder::core;
 using namespace sunder::gl;
+using namespace sunder::window;
 
 namespace {
 
@@ -42,12 +43,12 @@ class DeviceChoice {
     std::string before_ = std::getenv(kName) ? std::getenv(kName) : "";
 };
 
-/// The ContextError that comes of `choice`; empty when a context does.
+/// The DeviceError that comes of `choice`; empty when a context does.
 std::string refusal(const std::string& choice) {
     const DeviceChoice chosen(choice);
     try {
         createHeadlessContext();
-    } catch (const ContextError& error) {
+    } catch (const DeviceError& error) {
         return error.what();
     }
     return {};

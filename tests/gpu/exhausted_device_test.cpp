@@ -32,7 +32,7 @@ class Exhausted {
 }  // namespace
 
 TEST_CASE("memory missing is bad input, whether at an allocation, before it or in between") {
-    gl::Context& context = testContext();
+    window::Context& context = testContext();
     const std::string advice = "; use fewer cells, smaller pictures or the solver cpu";
     SECTION("while it works") {
         const Exhausted exhausted;

@@ -16,6 +16,7 @@
 using namespace sunder;
 using namespace sunder::core;
 using namespace sunder::gl;
+using namespace sunder::window;
 
 namespace {
 

@@ -12,10 +12,10 @@ namespace {
 
 /// A context with a host in it, and Sunder's guest driver there.
 struct VisitedHost {
-    explicit VisitedHost(gl::Profile profile = gl::Profile::Core)
-        : context(gl::createHeadlessContext(profile)),
+    explicit VisitedHost(window::Profile profile = window::Profile::Core)
+        : context(window::createHeadlessContext(profile)),
           guest(context->loadFunction(), "a host's", gl::Driver::Owner::Host) {}
-    std::unique_ptr<gl::Context> context;
+    std::unique_ptr<window::Context> context;
     HostileHost host;
     gl::Driver guest;
 };
@@ -45,7 +45,7 @@ void checkSame(VisitedHost& visited, Guest<Solver>& solver, std::uint64_t expect
 template <class Solver>
 std::uint64_t undisturbed() {
     static const std::uint64_t hash = [] {
-        const auto context = gl::createHeadlessContext();
+        const auto context = window::createHeadlessContext();
         Guest<Solver> solver(context->driver(), guestWorld(), gl::Visit::State::Ours);
         return hashOf(solver);
     }();
@@ -53,7 +53,7 @@ std::uint64_t undisturbed() {
 }
 
 template <class Solver>
-void checkEverySetting(gl::Profile profile) {
+void checkEverySetting(window::Profile profile) {
     const std::uint64_t expected = undisturbed<Solver>();
     VisitedHost visited(profile);
     const StateDump fresh = dumpState();
@@ -100,7 +100,7 @@ void checkMadeIn(const std::vector<HostileHost::Setting>& settings) {
 }  // namespace
 
 TEST_CASE("the world of these tests breaks, and its ball is stopped") {
-    const auto context = gl::createHeadlessContext();
+    const auto context = window::createHeadlessContext();
     Guest<gpu::GatherSolver> solver(context->driver(), guestWorld(), gl::Visit::State::Ours);
     const State before = solver.state();
     for (const int steps : kPieces) solver.advance(steps);
@@ -111,24 +111,24 @@ TEST_CASE("the world of these tests breaks, and its ball is stopped") {
 }
 
 TEST_CASE("no state of a host's changes what gather computes, nor is it changed") {
-    checkEverySetting<gpu::GatherSolver>(gl::Profile::Core);
+    checkEverySetting<gpu::GatherSolver>(window::Profile::Core);
 }
 TEST_CASE("no state of a host's changes what scatter computes, nor is it changed") {
-    checkEverySetting<gpu::ScatterSolver>(gl::Profile::Core);
+    checkEverySetting<gpu::ScatterSolver>(window::Profile::Core);
 }
 
 TEST_CASE("nor does what only a compatibility profile has", "[long]") {
-    std::unique_ptr<gl::Context> context;
+    std::unique_ptr<window::Context> context;
     try {
-        context = gl::createHeadlessContext(gl::Profile::Compatibility);
-    } catch (const ContextError& error) {
+        context = window::createHeadlessContext(window::Profile::Compatibility);
+    } catch (const DeviceError& error) {
         WARN("left out: this driver has no compatibility profile: " << error.what());
         return;
     }
     CHECK(context->info().compatibility);
     context.reset();
-    checkEverySetting<gpu::GatherSolver>(gl::Profile::Compatibility);
-    checkEverySetting<gpu::ScatterSolver>(gl::Profile::Compatibility);
+    checkEverySetting<gpu::GatherSolver>(window::Profile::Compatibility);
+    checkEverySetting<gpu::ScatterSolver>(window::Profile::Compatibility);
 }
 
 TEST_CASE("solvers made in the worst of contexts compute the same") {

@@ -20,7 +20,7 @@ constexpr double kFrame = 1.0 / 60;
 
 /// A host: a context of its own, in which every call must leave everything as it was.
 struct Host {
-    Host() : context(gl::createHeadlessContext()) {}
+    Host() : context(window::createHeadlessContext()) {}
     gl::DeviceOptions options() {
         return {
             .getProcAddress = [this](const char* name) { return context->loadFunction()(name); }};
@@ -36,7 +36,7 @@ struct Host {
         CHECK(differences(before, dumpState()) == std::vector<std::string>{});
         context->takeErrors();
     }
-    std::unique_ptr<gl::Context> context;
+    std::unique_ptr<window::Context> context;
     HostileHost hostile;
 };
 

@@ -43,12 +43,12 @@ GLenum GLAD_API_PTR statusToldOnce() {
 
 template <class Call>
 void checkLost(Call call) {
-    CHECK_THROWS_AS(call(), ContextError);
+    CHECK_THROWS_AS(call(), DeviceError);
     CHECK_THROWS_WITH(
         call(), Catch::Contains("the OpenGL context was lost") && Catch::Contains("run it again"));
 }
 
-void askEveryWay(gl::Context& context) {
+void askEveryWay(window::Context& context) {
     checkLost([&] { context.check(); });
     checkLost([&] { context.takeErrors(); });
 }
@@ -57,7 +57,7 @@ void askEveryWay(gl::Context& context) {
 
 TEST_CASE(
     "a context that says it was reset is one sentence, by either extension and by its errors") {
-    const auto context = gl::createHeadlessContext();  // for each section, as it stays lost
+    const auto context = window::createHeadlessContext();  // for each section, as it stays lost
     context->check();
     SECTION("GL_KHR_robustness") {
         const Instead has(gl::functions().KHR_robustness, 1);
@@ -88,7 +88,7 @@ TEST_CASE(
 }
 
 TEST_CASE("what is made in a lost context is no defect of the program, nor of its shaders") {
-    gl::Context& context = testContext();
+    window::Context& context = testContext();
     SECTION("a buffer and a texture") {
         const Instead error(gl::functions().GetError, PFNGLGETERRORPROC{errorOfLost});
         checkLost([] { gl::Buffer(4, nullptr, GL_STATIC_DRAW, "numbers"); });

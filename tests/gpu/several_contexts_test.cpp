@@ -15,7 +15,7 @@ namespace {
 
 /// A context of a host's, and Sunder's guest driver there.
 struct Place {
-    std::unique_ptr<gl::Context> context = gl::createHeadlessContext();
+    std::unique_ptr<window::Context> context = window::createHeadlessContext();
     gl::Driver guest{context->loadFunction(), "a host's", gl::Driver::Owner::Host};
 };
 
@@ -91,7 +91,7 @@ TEST_CASE("objects that outlive their context are let go, and nothing is called"
     std::optional<gl::Buffer> buffer;
     std::optional<gl::Fence> fence;
     {
-        const auto context = gl::createHeadlessContext();
+        const auto context = window::createHeadlessContext();
         buffer.emplace(std::size_t{16}, nullptr, GL_STATIC_DRAW, "numbers");
         fence = gl::Fence::insert();
     }
@@ -100,13 +100,13 @@ TEST_CASE("objects that outlive their context are let go, and nothing is called"
 }
 
 TEST_CASE("a world that outlives the host's context is let go of when it is told") {
-    auto context = gl::createHeadlessContext();
+    auto context = window::createHeadlessContext();
     gl::Driver guest(context->loadFunction(), "a host's", gl::Driver::Owner::Host);
     std::optional<Guest<gpu::GatherSolver>> solver;
     solver.emplace(guest);
     context.reset();
     guest.contextGone();
-    CHECK_THROWS_AS(solver->advance(1), ContextError);
+    CHECK_THROWS_AS(solver->advance(1), DeviceError);
     CHECK_THROWS_WITH(solver->advance(1), Catch::Contains("has been destroyed"));
     // Without a context, a call would end the program.
     gl::Functions none{};

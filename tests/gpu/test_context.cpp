@@ -9,8 +9,8 @@ using namespace sunder;
 
 namespace {
 
-std::unique_ptr<gl::Context>& shared() {
-    static std::unique_ptr<gl::Context> context;
+std::unique_ptr<window::Context>& shared() {
+    static std::unique_ptr<window::Context> context;
     return context;
 }
 
@@ -30,8 +30,8 @@ CATCH_REGISTER_LISTENER(ReleaseContext)
 
 }  // namespace
 
-gl::Context& testContext() {
-    if (!shared()) shared() = gl::createHeadlessContext();
+window::Context& testContext() {
+    if (!shared()) shared() = window::createHeadlessContext();
     return *shared();
 }
 

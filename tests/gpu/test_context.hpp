@@ -3,7 +3,7 @@
 
 /// The context of the running test case, made when first asked for. A test that cannot have one
 /// fails, with the reason.
-sunder::gl::Context& testContext();
+sunder::window::Context& testContext();
 
 /// In a Command, where no test case ends: the context goes with this, before the driver does.
 struct TestContextOfCommand {

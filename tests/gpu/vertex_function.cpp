@@ -8,7 +8,7 @@
 using namespace sunder;
 
 std::vector<float> VertexFunction::run(std::span<const float> input, int count) const {
-    gl::Context& context = testContext();
+    window::Context& context = testContext();
     std::string text;
     std::istringstream list(includes);
     for (std::string name; list >> name;) text += "#include \"" + name + "\"\n";

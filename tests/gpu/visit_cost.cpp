@@ -40,7 +40,7 @@ double medianMicroseconds(gl::Driver& guest, gl::Visit::State state, bool bindin
 
 const Command kVisitCost{
     "--visit-cost", [](const auto&) {
-        const auto context = gl::createHeadlessContext();
+        const auto context = window::createHeadlessContext();
         HostileHost host;
         gl::Driver guest(context->loadFunction(), "a host's", gl::Driver::Owner::Host);
         std::printf("%s\n", context->info().renderer.c_str());

@@ -193,7 +193,7 @@ TEST_CASE("Every scene can be opened from the list", "[viewer]") {
     viewer.quit();
 }
 
-TEST_CASE("Half a minute of clicks and keys at random", "[viewer]") {
+TEST_CASE("Clicks and keys at random do no harm", "[viewer]") {
     std::mt19937 random(20240607);
     const auto below = [&](std::size_t count) { return static_cast<int>(random() % count); };
     const std::vector<std::string> keys{
@@ -205,9 +205,7 @@ TEST_CASE("Half a minute of clicks and keys at random", "[viewer]") {
     for (const std::string solver : {"cpu", "gather"}) {
         const Screen screen(1100, 700);
         ViewerUnderTest viewer(screen, {"wood", "--size", "1100x700", "--solver", solver});
-        const auto start = std::chrono::steady_clock::now();
-        int actions = 0;
-        while (std::chrono::steady_clock::now() - start < std::chrono::seconds(15)) {
+        for (int action = 0; action < 40; ++action) {
             const std::string with = held[below(held.size())];
             const auto holding = [&](const std::string& act) {
                 return with.empty() ? act : "keydown " + with + " " + act + " keyup " + with;
@@ -226,12 +224,10 @@ TEST_CASE("Half a minute of clicks and keys at random", "[viewer]") {
                                         std::to_string(below(200) - 100) + " 30 mouseup 1"));
             else  // the wheel's turns are buttons, too
                 screen.act(at + holding("click " + std::to_string(below(5) + 1)));
-            ++actions;
-            INFO("action " << actions << "\n" << viewer.output());
+            INFO("action " << action << "\n" << viewer.output());
             REQUIRE(viewer.running());
             sleepFor(0.05);
         }
-        CHECK(actions > 25);
         // What may have been left open: a text field, a list, a video.
         viewer.key("Escape");
         viewer.keep("80-random-" + solver);
