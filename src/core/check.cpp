@@ -69,9 +69,17 @@ void check(const Material& material, const Complain& complain) {
     checkNumbers(materialRules(), material, complain);
 }
 
+void checkOrientation(const Eigen::Quaterniond& orientation, const Complain& complain) {
+    // Written so that NaN fails it.
+    if (!(std::abs(orientation.norm() - 1) < 1e-6))
+        complain("orientation", "orientation must be a quaternion of length 1, not " +
+                                    formatNumber(orientation.norm()));
+}
+
 void check(const BodyDescription& body, const std::string& name, std::size_t materials) {
     const Complain complain = complainAbout(name);
     checkNumbers(bodyRules(), body, complain);
+    checkOrientation(body.orientation, complain);
     std::array<bool, std::size(kSideNames)> anchored{};
     for (const Side side : body.anchors) {
         checkChoice("anchor", side, kSideNames, complain);
@@ -133,10 +141,7 @@ void check(const ObjectDescription& object, const Complain& complain) {
                                " and z, not " + formatNumber(half[0]) +
                                (capsule ? "" : ", " + formatNumber(half[1])) + " and " +
                                formatNumber(half[2]) + " m");
-    // Written so that NaN fails it.
-    if (!(std::abs(object.orientation.norm() - 1) < 1e-6))
-        complain("orientation", "orientation must be a quaternion of length 1, not " +
-                                    formatNumber(object.orientation.norm()));
+    checkOrientation(object.orientation, complain);
     checkNumbers(objectRules(), object, complain);
     const auto given = [&](std::string_view key) {
         if (key == "velocity") return !object.velocity.isZero(0);

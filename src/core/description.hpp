@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -11,7 +12,8 @@
 
 namespace sunder::core {
 
-/// Sides of a body, seen from +z: left/right are −x/+x, bottom/top −y/+y, back/front −z/+z.
+/// Sides of a body, seen from +z: left/right are −x/+x, bottom/top −y/+y, back/front −z/+z of its
+/// own axes, so they turn with it.
 enum class Side : std::uint8_t { Left, Right, Bottom, Top, Back, Front };
 
 // What a world is to be, by whoever describes it: a scene file or code. Ranges stand in
@@ -25,14 +27,18 @@ struct RegionDescription {
     int material = -1;    ///< index into WorldDescription::materials, or −1: no cells here
 };
 
-/// A block of cells on one lattice.
+/// A block of cells on one lattice, which is turned about its position. What belongs to the body is
+/// told in its own axes and turns with it: size, cells, sides, regions, grain, bricks and
+/// strengths.
 struct BodyDescription {
     std::string name;
-    Vec3 size{1, 1, 1};         ///< m, each 0.001 to 1000
-    IVec3 cells{1, 1, 1};       ///< cells along x, y, z, each from 1; kMaxCells in all bodies
-    Vec3 position{0, 0, 0};     ///< m, centre of the bottom face, each −1e4 to 1e4
-    int material = 0;           ///< index into WorldDescription::materials
-    std::vector<Side> anchors;  ///< sides that do not move, each once
+    Vec3 size{1, 1, 1};      ///< m, each 0.001 to 1000
+    IVec3 cells{1, 1, 1};    ///< cells along x, y, z, each from 1; kMaxCells in all bodies
+    Vec3 position{0, 0, 0};  ///< m, centre of the bottom face, each −1e4 to 1e4
+    /// From the body's own axes to the world's, of length 1: the axes themselves by default.
+    Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+    int material = 0;                        ///< index into WorldDescription::materials
+    std::vector<Side> anchors;               ///< sides that do not move, each once
     std::vector<RegionDescription> regions;  ///< later ones override earlier ones; up to 256
     bool mayOverlap = false;                 ///< when the world begins (core/overlap.hpp)
     std::string where;  ///< for error messages, for example "wood.toml:31: body 1: position"
@@ -51,10 +57,11 @@ struct EventDescription {
     double duration = 5e-3;  ///< s, > 0 to 1e5; an impulse is spread evenly over it: less dust
     Kind kind = Kind::Impulse;
     int body = 0;  ///< index into WorldDescription::bodies, or kEveryBody
-    /// m, relative to the body's position; of every body: in the world; each −1e4 to 1e4.
+    /// m, relative to the body's position and along its own axes, so that the same place of a wall
+    /// is pushed however the wall is turned; of every body: in the world; each −1e4 to 1e4.
     Vec3 point{0, 0, 0};
     double radius = 0.1;   ///< m, > 0 to 1e4; of one body: a free node of it must lie inside
-    Vec3 vector{0, 0, 0};  ///< N·s, N or m/s, each −1e12 to 1e12
+    Vec3 vector{0, 0, 0};  ///< N·s, N or m/s, along the world's axes, each −1e12 to 1e12
     /// Only of every body, whose kind must be Velocity: m/s, −1e12 to 1e12, added to `vector` in
     /// the direction away from `point`; and whether all of it lessens towards the rim, by
     /// 1 − d²/radius² at distance d.

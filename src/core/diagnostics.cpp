@@ -22,6 +22,7 @@ std::array<Mat3, kTetrahedraPerCell> cellGradients(const World& world, int cell,
                                                    const std::vector<Vec3>& field,
                                                    double identity) {
     std::array<Mat3, kTetrahedraPerCell> result;
+    const Mat3& axes = world.bodies()[world.bodyOf(cell)].axes;
     for (int t = 0; t < kTetrahedraPerCell; ++t) {
         const Tetrahedron& tet = kTetrahedra[world.parity(cell)][t];
         Mat3 rest, change;
@@ -31,7 +32,7 @@ std::array<Mat3, kTetrahedraPerCell> cellGradients(const World& world, int cell,
             change.col(edge) =
                 field[kCorners * cell + tet[edge + 1]] - field[kCorners * cell + tet[0]];
         }
-        result[t] = identity * Mat3::Identity() + change * rest.inverse();
+        result[t] = identity * axes + change * rest.inverse();
     }
     return result;
 }

@@ -21,8 +21,10 @@ struct Diagnostics {
 
 Diagnostics diagnose(const World&, const State&);
 
-/// Deformation gradients (or their rates, from velocities) of a cell's five tetrahedra. `field`:
-/// displacement or velocity, per node; `identity`: 1 for displacements, 0 for rates.
+/// Deformation gradients (or their rates, from velocities) of a cell's five tetrahedra: derivatives
+/// of places in the world by places at rest along the body's own axes, which are columns of F where
+/// nothing is deformed. `field`: displacement or velocity, per node; `identity`: 1 for
+/// displacements, 0 for rates.
 std::array<Mat3, kTetrahedraPerCell> cellGradients(const World&, int cell,
                                                    const std::vector<Vec3>& field, double identity);
 

@@ -10,6 +10,7 @@
 #include "core/box_gap.hpp"
 #include "core/contact.hpp"
 #include "core/description.hpp"
+#include "core/orientation.hpp"
 #include "core/room.hpp"
 #include "core/wording.hpp"
 
@@ -79,6 +80,37 @@ struct Part {
     RoundedBox box;
 };
 
+Box around(const RoundedBox& box) {
+    const Vec3 reach = box.axes.cwiseAbs() * box.half + Vec3::Constant(box.radius);
+    return {box.centre - reach, box.centre + reach};
+}
+
+/// With sharp edges.
+RoundedBox whole(const RoundedBox& box) {
+    return {box.centre, box.axes, box.half + Vec3::Constant(box.radius), 0};
+}
+
+/// Along axes: by how much a would have to move to lie just below b, and just above.
+void spread(const Mat3& axes, const RoundedBox& a, const RoundedBox& b, Vec3& low, Vec3& high) {
+    const auto reach = [&](const RoundedBox& box) -> Vec3 {
+        return (axes.transpose() * box.axes).cwiseAbs() * whole(box).half;
+    };
+    const Vec3 apart = axes.transpose() * (b.centre - a.centre), reaches = reach(a) + reach(b);
+    low = apart - reaches;
+    high = apart + reaches;
+}
+
+/// m: the shortest way out.
+double depthOf(const Parting& parting) {
+    return std::min(parting.high.minCoeff(), (-parting.low).minCoeff());
+}
+
+Vec3 shortestWay(const Parting& parting) {
+    int up = 0, down = 0;
+    const double high = parting.high.minCoeff(&up), low = (-parting.low).minCoeff(&down);
+    return high <= low ? Vec3(parting.axes.col(up)) : Vec3(-parting.axes.col(down));
+}
+
 class Check {
   public:
     explicit Check(const WorldDescription& world) : world_(world) {
@@ -103,9 +135,16 @@ class Check {
         thing.body = static_cast<int>(things_.size());
         thing.edge = body.size.cwiseQuotient(body.cells.cast<double>()).minCoeff();
         const double radius = kCellRoundness * thing.edge;
+        const Mat3 axes = axesOf(body.orientation);
         for (const Box& box : boxesOf(body)) {
             const Vec3 half = 0.5 * (box.high - box.low) - Vec3::Constant(radius);
-            addPart(thing, box, {box.centre(), Mat3::Identity(), half, radius});
+            if (isUpright(axes)) {
+                addPart(thing, box, {box.centre(), axes, half, radius});
+                continue;
+            }
+            const Vec3 centre = body.position + axes * (box.centre() - body.position);
+            const RoundedBox turned{centre, axes, half, radius};
+            addPart(thing, around(whole(turned)), turned);
         }
         things_.push_back(std::move(thing));
     }
@@ -119,17 +158,16 @@ class Check {
                     {}};
         thing.object = static_cast<int>(things_.size());
         const RoundedBox box = boxOf(makeObject(object), initialState(object));
-        const Vec3 reach = box.axes.cwiseAbs() * box.half + Vec3::Constant(box.radius);
-        addPart(thing, {box.centre - reach, box.centre + reach}, box);
+        addPart(thing, around(box), box);
         things_.push_back(std::move(thing));
     }
 
-    void addPart(Thing& thing, const Box& around, const RoundedBox& box) {
+    void addPart(Thing& thing, const Box& bounds, const RoundedBox& box) {
         const int number = static_cast<int>(things_.size());
-        if (parts_.empty() || parts_.back().thing != number) thing.around = around;
-        thing.around.include(around);
+        if (parts_.empty() || parts_.back().thing != number) thing.around = bounds;
+        thing.around.include(bounds);
         parts_.push_back({number, box});
-        boxes_.push_back(around);
+        boxes_.push_back(bounds);
     }
 
     /// m, of what lies there, in single precision.
@@ -190,10 +228,23 @@ class Check {
     std::pair<Parting, double> partingOf(int i, int j) const {
         Parting parting{parts_[i].thing, parts_[j].thing, boxes_[j].low - boxes_[i].high,
                         boxes_[j].high - boxes_[i].low};
-        int up = 0, down = 0;
-        const double high = parting.high.minCoeff(&up), low = (-parting.low).minCoeff(&down);
-        parting.way = high <= low ? Vec3::Unit(up) : Vec3(-Vec3::Unit(down));
-        return {parting, std::min(high, low)};
+        const RoundedBox &a = parts_[i].box, &b = parts_[j].box;
+        const bool upright = isUpright(a.axes) && isUpright(b.axes);
+        if (!upright) {
+            parting = alongAxes(a.axes, i, j);
+            const Parting other = alongAxes(b.axes, i, j);
+            if (depthOf(other) < depthOf(parting)) parting = other;
+        }
+        parting.way = shortestWay(parting);
+        // An edge that lies across another comes out of it sooner than along anybody's axes.
+        return {parting, upright ? depthOf(parting) : -gapBetween(whole(a), whole(b))};
+    }
+
+    Parting alongAxes(const Mat3& axes, int i, int j) const {
+        Parting parting{parts_[i].thing, parts_[j].thing};
+        parting.axes = axes;
+        spread(axes, parts_[i].box, parts_[j].box, parting.low, parting.high);
+        return parting;
     }
 
     /// Notes the deepest overlap of two bodies.
@@ -204,9 +255,6 @@ class Check {
             throw InputError("more than " + std::to_string(kMaxPartings) +
                              " pairs of bodies overlap when the world begins; use fewer bodies "
                              "with overlap = \"allow\"");
-        const auto depthOf = [](const Parting& p) {
-            return std::min(p.high.minCoeff(), (-p.low).minCoeff());
-        };
         if (depth > depthOf(known->second)) known->second = parting;
     }
 

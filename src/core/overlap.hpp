@@ -41,11 +41,15 @@ inline constexpr double kPushShare = 0.4;
 struct Parting {
     int a = 0, b = 0;                  ///< bodies, a < b
     Vec3 low{0, 0, 0}, high{0, 0, 0};  ///< m: the overlap lasts while a has moved by that, from b
-    Vec3 way{0, 1, 0};                 ///< unit vector, along an axis: a's shortest way out
+    Vec3 way{0, 1, 0};                 ///< unit vector: a's shortest way out along one of `axes`
+    /// Columns, orthonormal: what `low` and `high` are measured along. Those of one of the bodies,
+    /// along which they come apart sooner.
+    Mat3 axes = Mat3::Identity();
 
     /// moved: m, displacement of a place in a less that of one in b.
     bool lasts(const Vec3& moved) const {
-        return (moved.array() > low.array()).all() && (moved.array() < high.array()).all();
+        const Vec3 along = axes.transpose() * moved;
+        return (along.array() > low.array()).all() && (along.array() < high.array()).all();
     }
 };
 /// More pairs than that are refused.
@@ -59,7 +63,8 @@ struct StartOverlaps {
 /// Throws InputError for the first overlap that is refused: what is in what, and how deep.
 StartOverlaps startOverlaps(const WorldDescription&);
 
-/// A body's cells as few boxes, in the world.
+/// A body's cells as few boxes, in the world: where they would lie were it not turned about its
+/// position.
 std::vector<Box> boxesOf(const BodyDescription&);
 
 }  // namespace sunder::core

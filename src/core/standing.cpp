@@ -17,8 +17,11 @@ constexpr double kDeepest = 0.5;
 /// What touches stands on it where the cosine between the way there and gravity is more than this.
 constexpr double kBelow = 0.3;
 
-Box boxOf(const Body& body) {
-    return {body.origin, body.origin + body.cellSize.cwiseProduct(body.cells.cast<double>())};
+/// Whether a rotation takes each axis to one of the axes, so that faces lie on faces.
+bool isAligned(const Mat3& rotation) {
+    constexpr double kAngle = 1e-6;  // rad: over a body of a thousand cells, a thousandth of one
+    const auto aside = [](double x) { return std::min(std::abs(x), std::abs(std::abs(x) - 1)); };
+    return rotation.unaryExpr(aside).maxCoeff() < kAngle;
 }
 
 bool near(const Box& a, const Box& b, double gap) {
@@ -133,7 +136,7 @@ class Things {
         for (int body = 0; body < bodies(); ++body) {
             if (!this->there(body)) continue;
             there.push_back(body);
-            Box& box = boxes.emplace_back(boxOf(world_.bodies()[body]));
+            Box& box = boxes.emplace_back(world_.bodies()[body].bounds());
             const Vec3 gap =
                 Vec3::Constant(kStandingGap * world_.bodies()[body].cellSize.minCoeff());
             box.low -= gap;
@@ -148,38 +151,61 @@ class Things {
         Contact contact;
         const double edge = std::min(first.cellSize.minCoeff(), second.cellSize.minCoeff());
         const double gap = kStandingGap * edge;
-        const Box all = boxOf(second);
-        if (!near(boxOf(first), all, gap)) return contact;
+        if (!near(first.bounds(), second.bounds(), gap)) return contact;
+        // All along b's own axes: in the world, or from b's origin where one of them is turned.
+        const bool turned = first.turned || second.turned;
+        const Vec3 origin = turned ? Vec3::Zero() : second.origin;
+        const Box all{origin, origin + second.size()};
+        const Mat3 rotation = second.axes.transpose() * first.axes;
+        const bool aligned = isAligned(rotation);
         for (int cell = first.firstCell; cell < first.firstCell + first.cellCount(); ++cell) {
             if (!world_.present(cell)) continue;
-            const Vec3 low =
-                first.origin + first.coordinates(cell).cast<double>().cwiseProduct(first.cellSize);
-            const Box box{low, low + first.cellSize};
-            if (near(box, all, gap)) cellOnBody(box, a, b, edge, contact);
+            const Vec3 own = first.coordinates(cell).cast<double>().cwiseProduct(first.cellSize);
+            Box box{first.origin + own, first.origin + own + first.cellSize};
+            if (turned) {
+                const Vec3 middle = first.inWorld(own + 0.5 * first.cellSize) - second.origin;
+                const Vec3 centre = second.axes.transpose() * middle;
+                const Vec3 reach = rotation.cwiseAbs() * (0.5 * first.cellSize);
+                box = {centre - reach, centre + reach};
+            }
+            if (!near(box, all, gap)) continue;
+            if (aligned)
+                cellOnBody(box, origin, a, b, edge, contact);
+            else
+                slantedCellOnBody(cell, box, a, b, edge, contact);
         }
         return contact;
     }
 
-    /// A cell of body a, and those of body b around it.
-    void cellOnBody(const Box& box, int a, int b, double edge, Contact& contact) const {
-        const Body& body = world_.bodies()[b];
-        const double gap = kStandingGap * edge;
+    /// First and last of a body's cells that a box reaches, by `gap` more. The box lies along the
+    /// body's axes, where its own corner is at `origin`.
+    static std::pair<IVec3, IVec3> cellsAround(const Body& body, const Vec3& origin, const Box& box,
+                                               double gap) {
         IVec3 from, to;
         for (int axis = 0; axis < 3; ++axis) {
             const auto place = [&](double x) {
                 return static_cast<int>(
-                    std::clamp(std::floor((x - body.origin[axis]) / body.cellSize[axis]), 0.0,
+                    std::clamp(std::floor((x - origin[axis]) / body.cellSize[axis]), 0.0,
                                body.cells[axis] - 1.0));
             };
             from[axis] = place(box.low[axis] - gap);
             to[axis] = place(box.high[axis] + gap);
         }
+        return {from, to};
+    }
+
+    /// A cell of body a, and those of body b around it, all along b's axes.
+    void cellOnBody(const Box& box, const Vec3& origin, int a, int b, double edge,
+                    Contact& contact) const {
+        const Body& body = world_.bodies()[b];
+        const double gap = kStandingGap * edge;
+        const auto [from, to] = cellsAround(body, origin, box, gap);
         for (int z = from[2]; z <= to[2]; ++z)
             for (int y = from[1]; y <= to[1]; ++y)
                 for (int x = from[0]; x <= to[0]; ++x) {
                     if (!world_.present(body.cellAt({x, y, z}))) continue;
                     const Vec3 low =
-                        body.origin + IVec3(x, y, z).cast<double>().cwiseProduct(body.cellSize);
+                        origin + IVec3(x, y, z).cast<double>().cwiseProduct(body.cellSize);
                     const Vec3 above = low - box.high, below = box.low - (low + body.cellSize);
                     const Vec3 gaps = above.cwiseMax(below);
                     int axis = 0;
@@ -187,8 +213,31 @@ class Things {
                     const bool faces = (gaps.array() < -gap).count() == 2;
                     if (!faces || widest > gap || widest < -kDeepest * edge) continue;
                     const double side = above[axis] > below[axis] ? 1 : -1;
-                    contact.add(side * Vec3::Unit(axis), gravity(a), gravity(b));
+                    contact.add(side * body.axes.col(axis), gravity(a), gravity(b));
                 }
+    }
+
+    /// The same where faces do not lie on faces: an edge or a corner on anything.
+    void slantedCellOnBody(int cell, const Box& box, int a, int b, double edge,
+                           Contact& contact) const {
+        const Body &first = world_.bodies()[a], &second = world_.bodies()[b];
+        const double gap = kStandingGap * edge;
+        const RoundedBox own = boxAtStart(first, first.coordinates(cell));
+        const auto [from, to] = cellsAround(second, Vec3::Zero(), box, gap);
+        for (int z = from[2]; z <= to[2]; ++z)
+            for (int y = from[1]; y <= to[1]; ++y)
+                for (int x = from[0]; x <= to[0]; ++x) {
+                    if (!world_.present(second.cellAt({x, y, z}))) continue;
+                    const Touch touch = touchOf(own, boxAtStart(second, {x, y, z}));
+                    if (touch.gap <= gap) contact.add(touch.normal, gravity(a), gravity(b));
+                }
+    }
+
+    static RoundedBox boxAtStart(const Body& body, const IVec3& cell) {
+        const double radius = kCellRoundness * body.cellSize.minCoeff();
+        const Vec3 middle = cell.cast<double>() + Vec3::Constant(0.5);
+        return {body.inWorld(middle.cwiseProduct(body.cellSize)), body.axes,
+                0.5 * body.cellSize - Vec3::Constant(radius), radius};
     }
 
     double thickness(int index) const { return 2 * object(index).halfSize.minCoeff(); }
@@ -206,14 +255,19 @@ class Things {
         Contact contact;
         const double gap = kStandingGap * std::min(body.cellSize.minCoeff(), thickness(index));
         const Box bounds = boundsOf(index);
-        if (!near(bounds, boxOf(body), gap)) return contact;
+        if (!near(bounds, body.bounds(), gap)) return contact;
         const RoundedBox box = boxAtStart(index);
         for (int cell = body.firstCell; cell < body.firstCell + body.cellCount(); ++cell) {
             if (!world_.present(cell)) continue;
             CellMotion motion{};
-            for (int corner = 0; corner < kCorners; ++corner)
-                motion.position[corner] = world_.restPosition(kCorners * cell + corner);
-            if (!near(bounds, {motion.position[0], motion.position[7]}, gap)) continue;
+            Box around;
+            for (int corner = 0; corner < kCorners; ++corner) {
+                const Vec3& x = motion.position[corner] =
+                    world_.restPosition(kCorners * cell + corner);
+                if (corner == 0) around = {x, x};
+                around.include({x, x});
+            }
+            if (!near(bounds, around, gap)) continue;
             const Touch touch = touchOf(box, motion.box(body.cellSize));
             if (touch.gap <= gap)
                 contact.add(touch.normal, world_.description().gravity, body.gravity);

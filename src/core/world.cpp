@@ -10,6 +10,7 @@
 #include "core/contact.hpp"
 #include "core/elasticity.hpp"
 #include "core/memory.hpp"
+#include "core/orientation.hpp"
 #include "core/strength_map.hpp"
 #include "core/wording.hpp"
 
@@ -24,6 +25,13 @@ struct SidePlace {
 };
 SidePlace place(Side side) {
     return {static_cast<int>(side) / 2, static_cast<int>(side) % 2};
+}
+
+/// Rounded to single precision, by way of memory: where GCC 12 makes vectors of double → float →
+/// double (-O2), it leaves the rounding out.
+double inSingle(double x) {
+    const volatile float single = static_cast<float>(x);
+    return single;
 }
 
 /// A time that is meant to be a whole number of steps is one, however it was rounded.
@@ -41,6 +49,12 @@ IVec3 Body::coordinates(int cell) const {
 
 bool Body::contains(const IVec3& c) const {
     return (c.array() >= 0).all() && (c.array() < cells.array()).all();
+}
+
+Box Body::bounds() const {
+    if (!turned) return {origin, origin + size()};
+    const Vec3 centre = inWorld(0.5 * size()), reach = axes.cwiseAbs() * (0.5 * size());
+    return {centre - reach, centre + reach};
 }
 
 World::World(WorldDescription description) : description_(std::move(description)) {
@@ -88,9 +102,7 @@ Vec3 World::restPosition(int node) const {
     const int cell = node / kCorners, corner = node % kCorners;
     const Body& body = bodies_[cellBody_[cell]];
     const IVec3 point = body.coordinates(cell) + IVec3(corner & 1, corner >> 1 & 1, corner >> 2);
-    return (body.origin + point.cast<double>().cwiseProduct(body.cellSize))
-        .cast<float>()
-        .cast<double>();
+    return body.inWorld(point.cast<double>().cwiseProduct(body.cellSize)).unaryExpr(&inSingle);
 }
 
 Vec3 World::cornerOffset(int cell, int corner) const {
@@ -138,7 +150,9 @@ void World::layOutCells() {
         body.name = from.name;
         body.cells = from.cells;
         body.cellSize = from.size.cwiseQuotient(from.cells.cast<double>());
-        body.origin = from.position - Vec3(from.size[0] / 2, 0, from.size[2] / 2);
+        body.origin = originOf(from);
+        body.axes = axesOf(from.orientation);
+        body.turned = !isUpright(body.axes);
         body.firstCell = static_cast<int>(cellBody_.size());
         const auto base = static_cast<std::int16_t>(lawFor(from.material, body.cellSize));
         cellBody_.resize(body.firstCell + body.cellCount(), static_cast<int>(index));
@@ -292,7 +306,7 @@ Event World::layOutEvent(const EventDescription& from, const std::string& name) 
         return event;
     }
     const Body& body = bodies_[from.body];
-    event.point = (description_.bodies[from.body].position + from.point).cast<float>();
+    event.point = (description_.bodies[from.body].position + body.axes * from.point).cast<float>();
     double mass = 0;
     for (int node = kCorners * body.firstCell;
          node < kCorners * (body.firstCell + body.cellCount()); ++node) {
@@ -326,6 +340,11 @@ void World::makeObjects() {
     }
     std::stable_sort(throws_.begin(), throws_.end(),
                      [](const Throw& a, const Throw& b) { return a.step < b.step; });
+}
+
+bool World::anyTurned() const {
+    return std::any_of(bodies_.begin(), bodies_.end(),
+                       [](const Body& body) { return body.turned; });
 }
 
 bool World::bondsBreak() const {

@@ -16,8 +16,10 @@ namespace sunder::core {
 struct Body {
     std::string name;
     IVec3 cells;
-    Vec3 cellSize;  ///< m
-    Vec3 origin;    ///< m, the corner with the smallest coordinates
+    Vec3 cellSize;  ///< m, along its own axes
+    Vec3 origin;    ///< m, in the world: the corner that lies lowest along its own axes
+    Mat3 axes = Mat3::Identity();  ///< its own, in the world, as columns
+    bool turned = false;           ///< whether they are others than the world's
     int firstCell = 0;
     double drag = 0;  ///< 1/s, mass-weighted mean of its cells' `damping`
     Vec3 gravity{0, 0,
@@ -25,6 +27,11 @@ struct Body {
     double calmest = std::numeric_limits<double>::infinity();  ///< m/s: see core/sleep.hpp
 
     int cellCount() const { return cells.prod(); }
+    Vec3 size() const { return cellSize.cwiseProduct(cells.cast<double>()); }  ///< m
+    /// m, in the world, of a place at rest that lies `own` from the origin along the body's axes.
+    Vec3 inWorld(const Vec3& own) const { return origin + (turned ? Vec3(axes * own) : own); }
+    /// Of its cells at rest, along the world's axes.
+    Box bounds() const;
     /// World-wide index of the cell at lattice coordinates c (must lie inside).
     int cellAt(const IVec3& c) const {
         return firstCell + c[0] + cells[0] * (c[1] + cells[1] * c[2]);
@@ -67,6 +74,8 @@ class World {
     /// ones bear (core/contact.hpp): some have more than kUnequal times the mass of others.
     bool unequalCells() const { return unequalCells_; }
     int bondCount() const { return bondCount_; }
+    /// Whether any body's own axes are not the world's.
+    bool anyTurned() const;
 
     /// False for cells a region removed.
     bool present(int cell) const { return cellLaw_[cell] >= 0; }
@@ -84,8 +93,8 @@ class World {
     /// m. A single-precision number, so that every solver has the same, and equal to the bit for
     /// all copies of a lattice point.
     Vec3 restPosition(int node) const;
-    /// m, from the cell's corner 0 at rest; not rounded, so the shape of a cell does not depend on
-    /// where it stands.
+    /// m, from the cell's corner 0 at rest, along the body's own axes; not rounded, so the shape of
+    /// a cell does not depend on where it stands.
     Vec3 cornerOffset(int cell, int corner) const;
     double nodeMass(int node) const {
         return nodeMass_[node];

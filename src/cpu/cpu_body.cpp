@@ -91,6 +91,10 @@ void BodyStorage::choose(const World& world) {
     a.law = a.laws[first];
     if (a.kind != LawKind::Mixed && a.law.corotated != 0) a.kind = LawKind::Corotated;
 
+    a.turned = body.turned;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int i = 0; i < 3; ++i) a.axes[axis][i] = static_cast<float>(body.axes(i, axis));
+
     const double h = world.step();
     for (int axis = 0; axis < 3; ++axis) {
         a.inverseCell[axis] = static_cast<float>(1 / body.cellSize[axis]);

@@ -86,6 +86,8 @@ struct BodyArrays {
     bool stressLost = false;                      ///< whether cellsBreak goes with S > 1
     const Law* laws = nullptr;                    ///< table of all laws
     Law law{};                                    ///< unless Mixed
+    bool turned = false;                          ///< whether its axes are not the world's
+    float axes[3][3] = {};                        ///< its own in the world, one after the other
     float inverseCell[3] = {};                    ///< 1/m
     float forceWeight[3] = {};                    ///< m², volume/(6·edge)
     float dampingTime = 0;                        ///< b·h, s

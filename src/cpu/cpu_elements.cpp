@@ -8,6 +8,9 @@
 //
 // All is worked out in one frame per cell that turns with it (Gram–Schmidt of the central
 // tetrahedron): there every F is near the identity, and its rotation is found in one go.
+//
+// Vectors are along the body's own axes: those of a turned body are turned when they are read, and
+// its forces when they are written. So F is exactly the identity at rest, whatever the axes.
 #include "cpu/simd_targets.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -44,6 +47,23 @@ HWY_INLINE Vec3v loadEnd(const float* tile, Mask mirrored) {
 HWY_INLINE Corners loadBases(const float* tile, Mask mirrored) {
     return {loadEnd<false, 0>(tile, mirrored), loadEnd<false, 1>(tile, mirrored),
             loadEnd<false, 2>(tile, mirrored), loadEnd<false, 3>(tile, mirrored)};
+}
+
+HWY_INLINE Mat3v axesOf(const BodyArrays& body) {
+    const auto axis = [&](int i) HWY_ATTR {
+        return Vec3v{set(body.axes[i][0]), set(body.axes[i][1]), set(body.axes[i][2])};
+    };
+    return {axis(0), axis(1), axis(2)};
+}
+
+/// A nodal field along the body's own axes: of a body that is not turned the tile itself; of any
+/// other, `own` is filled as the tile is.
+HWY_INLINE const float* alongAxes(const BodyArrays& body, const float* tile, float* own) {
+    if (HWY_LIKELY(!body.turned)) return tile;
+    const Mat3v axes = axesOf(body);
+    for (int at = 0; at < kNodeComponents * kLanes; at += 3 * kLanes)
+        store3(transposeTimes(axes, load3(tile + at, kLanes)), own + at, kLanes);
+    return own;
 }
 
 /// Gradient of a nodal field in tetrahedron kT (4: the central one). `scale`: 1/edge times any
@@ -196,13 +216,15 @@ HWY_INLINE V largestEigenvalue(const Symmetric& a) {
 struct Cells {
     const BodyArrays& body;
     int first;
+    const float *displacement, *velocity;  ///< tiles, along the body's own axes
     Mask mirrored;
     Vec3v scale;   ///< 1/edge, x with the sign of `side`
     Vec3v weight;  ///< volume/(6·edge), likewise
     Elastic law;
-    Corners u, v;   ///< displacements and velocities of the bases
-    Mat3v frame;    ///< turns with the cell, as damping sees it
-    Mat3v back;     ///< the same as the cell is now: turnedBack() of core/elasticity.hpp
+    Corners u, v;  ///< displacements and velocities of the bases
+    Mat3v frame;   ///< turns with the cell, as damping sees it
+    Mat3v back;    ///< the same as the cell is now: turnedBack() of core/elasticity.hpp; from there
+                   ///< to the world
     Corners force;  ///< on the bases, in that frame
 };
 
@@ -247,9 +269,8 @@ HWY_INLINE Mat3v tetrahedron(const Cells& cells, const Mat3v& F, const Mat3v& G,
 template <LawKind kKind, bool kStress, int kT>
 HWY_INLINE Vec3v cornerTetrahedron(Cells& cells, StressOutput* out) {
     const BodyArrays& body = cells.body;
-    const std::ptrdiff_t tile = tiled(kNodeComponents, 0, cells.first);
-    const Vec3v u = loadEnd<true, kT>(body.displacement + tile, cells.mirrored);
-    const Vec3v v = loadEnd<true, kT>(body.velocity + tile, cells.mirrored);
+    const Vec3v u = loadEnd<true, kT>(cells.displacement, cells.mirrored);
+    const Vec3v v = loadEnd<true, kT>(cells.velocity, cells.mirrored);
     Mat3v F = gradient<kT>(u, cells.u, cells.scale);
     addIdentity(F);
     Hot hot;
@@ -296,6 +317,7 @@ HWY_INLINE void centralTetrahedron(Cells& cells, StressOutput* out) {
                                hn::Lt(squaredNorm(F), set(static_cast<float>(kMostStretch2))));
     const Mask turns = hn::AndNot(hot.lanes, asOne);
     cells.back = select(turns, gramSchmidt(F), cells.frame);
+    if (HWY_UNLIKELY(cells.body.turned)) cells.back = axesOf(cells.body) * cells.back;
     const Mat3v P = tetrahedron<kKind, kStress, 4>(cells, F, G, hot, out);
     cells.force = {(P.x + P.y) + P.z, P.z - (P.x + P.y), P.y - (P.x + P.z), P.x - (P.y + P.z)};
 }
@@ -340,16 +362,23 @@ HWY_INLINE void updateCells(const BodyArrays& body, int first) {
     const V side = hn::Load(d, body.side + first);
     const Mask mirrored = hn::Lt(side, hn::Zero(d));
     const LawLookup lookup{&body, first};
+    const std::ptrdiff_t tile = tiled(kNodeComponents, 0, first);
+    HWY_ALIGN float ownDisplacement[kNodeComponents * kLanes];
+    HWY_ALIGN float ownVelocity[kNodeComponents * kLanes];
+    const float* displacement = alongAxes(body, body.displacement + tile, ownDisplacement);
+    const float* velocity = alongAxes(body, body.velocity + tile, ownVelocity);
     Cells cells{
         body,
         first,
+        displacement,
+        velocity,
         mirrored,
         {side * set(body.inverseCell[0]), set(body.inverseCell[1]), set(body.inverseCell[2])},
         {side * set(body.forceWeight[0]), set(body.forceWeight[1]), set(body.forceWeight[2])},
         {lookup(&Law::lambda), lookup(&Law::twoMu), lookup(&Law::corotated),
          lookup(&Law::hotDeterminant), lookup(&Law::largestStress)},
-        loadBases(body.displacement + tiled(kNodeComponents, 0, first), mirrored),
-        loadBases(body.velocity + tiled(kNodeComponents, 0, first), mirrored),
+        loadBases(displacement, mirrored),
+        loadBases(velocity, mirrored),
         {},
         {},
         {}};

@@ -25,8 +25,9 @@ CellMotion ObjectCells::motion(int cell) const {
     const auto [arrays, local] = placeOf(cell);
     CellMotion motion;
     const Vec3 first = world_.restPosition(kCorners * cell);
+    const Mat3& axes = world_.bodies()[world_.bodyOf(cell)].axes;
     for (int corner = 0; corner < kCorners; ++corner) {
-        motion.position[corner] = first + world_.cornerOffset(cell, corner);
+        motion.position[corner] = first + axes * world_.cornerOffset(cell, corner);
         for (int axis = 0; axis < 3; ++axis) {
             const std::ptrdiff_t at = tiled(kNodeComponents, 3 * corner + axis, local);
             motion.position[corner][axis] += arrays->displacement[at];

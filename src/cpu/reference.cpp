@@ -143,7 +143,9 @@ ReferenceSolver::Deformation ReferenceSolver::deformationOf(const Element& e) co
         displacement.col(i) = state_.displacement[e.nodes[i + 1]] - state_.displacement[e.nodes[0]];
         velocity.col(i) = state_.velocity[e.nodes[i + 1]] - state_.velocity[e.nodes[0]];
     }
-    return {Mat3::Identity() + displacement * e.inverseRest, velocity * e.inverseRest};
+    // Derivatives by the body's own coordinates at rest: its axes are what F is there.
+    const Mat3& axes = world_.bodies()[world_.bodyOf(e.cell)].axes;
+    return {axes + displacement * e.inverseRest, velocity * e.inverseRest};
 }
 
 /// Forces of every tetrahedron on its own copies of its corners: −V·P·∇N, turned back.

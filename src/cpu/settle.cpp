@@ -32,6 +32,7 @@ bool alike(const BodyDescription& a, const BodyDescription& b) {
     };
     return a.size == b.size && a.cells == b.cells && a.material == b.material &&
            a.anchors == b.anchors && a.position[1] == b.position[1] &&
+           a.orientation.coeffs() == b.orientation.coeffs() &&
            std::equal(a.regions.begin(), a.regions.end(), b.regions.begin(), b.regions.end(), same);
 }
 

@@ -160,6 +160,11 @@ void changeBody(BodyDescription& body, Bytes& bytes) {
         case 5:
             body.name = text(bytes);
             break;
+        case 6:
+            // By a number that may be any; half the time it is of length 1 all the same.
+            body.orientation.coeffs()[static_cast<int>(bytes.below(4))] = bytes.take<double>();
+            if (bytes.below(2) == 1) body.orientation.normalize();
+            break;
         default:
             change(bodyRules(), body, bytes);
     }

@@ -169,6 +169,11 @@ TEST_CASE("a mistake in a world becomes one sentence") {
          "the world has more than 10000 throws; use fewer"},
         {[](auto& d) { d.objects.resize(kMaxObjects + 1); },
          "the world has more than 250 objects; use fewer"},
+        {[](auto& d) { d.bodies[0].orientation.coeffs() *= 2; },
+         "body 'wall': orientation must be a quaternion of length 1, not 2"},
+        {[](auto& d) { d.bodies[0].orientation.coeffs().setZero(); }, "of length 1, not 0"},
+        {[](auto& d) { d.bodies[0].orientation.y() = std::nan(""); }, "of length 1, not nan"},
+        {[](auto& d) { d.bodies[0].orientation.w() = HUGE_VAL; }, "of length 1, not inf"},
         // Objects.
         {[](auto& d) { d.contact = false; },
          "the world has objects, but cells do not touch: enable contact"},

@@ -310,6 +310,75 @@ TEST_CASE("what merely touches, or is nowhere, or does not push, may be where it
     CHECK(refusal(thrown).empty());
 }
 
+TEST_CASE("turned bodies may touch in any way, but not be in each other") {
+    const Mat3 turn = Eigen::AngleAxisd(0.5, Vec3(1, 3, 2).normalized()).toRotationMatrix();
+    const auto turned = [&](BodyDescription body, const Mat3& by) {
+        body.orientation = by;
+        return body;
+    };
+    const auto moved = [&](BodyDescription body, const Vec3& by) {
+        body.position += by;
+        return body;
+    };
+    // Side by side, whatever their axes: 0.2 m wide, and about their bottom faces' centres.
+    const BodyDescription one = turned(cube({0, 3, 0}), turn);
+    for (const int axis : {0, 1, 2}) {
+        CHECK(refusal(worldOf({one, moved(one, turn.col(axis) * 0.2)})).empty());
+        // By 5 % of a cell, along that axis.
+        const std::string text = refusal(worldOf({one, moved(one, turn.col(axis) * 0.195)}));
+        CHECK_THAT(text, Catch::Matchers::Contains("overlap by 0.005 m"));
+    }
+    // What is around them overlaps, and they do not.
+    const Mat3 diagonal = Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitY()).toRotationMatrix();
+    const BodyDescription corner = turned(cube({0, 3, 0}), diagonal);
+    const double half = 0.1 * std::sqrt(2.);
+    CHECK(refusal(worldOf({corner, cube({half + 0.1, 3, 0})})).empty());
+    CHECK(refusal(worldOf({corner, cube({half + 0.09, 3, 0})})) != "");
+    CHECK(refusal(worldOf({corner, turned(cube({0.15, 3, 0.15}), diagonal)})).empty());
+    // Edge across edge: nothing but the cross product of the two tells them apart.
+    BodyDescription ridge = cube({0, 3, 0}), across = cube({0, 3, 0});
+    ridge.orientation = Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitX());
+    across.orientation = Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitZ());
+    const auto centred = [](BodyDescription body, const Vec3& centre) {
+        body.position = centre - body.orientation * Vec3(0, 0.1, 0);
+        return body;
+    };
+    ridge = centred(ridge, {0, 3, 0});
+    CHECK(refusal(worldOf({ridge, centred(across, {0, 3 + 2 * half + 1e-4, 0})})).empty());
+    CHECK_THAT(refusal(worldOf({ridge, centred(across, {0, 3 + 2 * half - 0.02, 0})})),
+               Catch::Matchers::Contains("overlap by 0.02 m"));
+    // The ground, and an object.
+    BodyDescription lying = cube({0, 0.1, 0});
+    lying.orientation = Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX());
+    WorldDescription ground = worldOf({lying});
+    ground.ground = true;
+    CHECK(refusal(ground).empty());
+    ground.bodies[0].orientation = Eigen::AngleAxisd(2, Vec3::UnitX());
+    CHECK_THAT(refusal(ground), Catch::Matchers::Contains("below the ground"));
+    CHECK(refusal(worldOf({corner}, {sphere({half + 0.101, 3.1, 0})})).empty());
+    CHECK(refusal(worldOf({corner}, {sphere({half + 0.07, 3.1, 0})})) != "");
+    CHECK(refusal(worldOf({corner}, {sphere({0.15, 3.1, 0.15})})).empty());
+}
+
+TEST_CASE("two turned bodies come apart along the axes of one of them") {
+    const Mat3 turn = Eigen::AngleAxisd(0.8, Vec3(2, -1, 2) / 3).toRotationMatrix();
+    BodyDescription a = cube({0, 3, 0}, 4), b = cube({0, 3, 0});
+    a.mayOverlap = true;
+    a.orientation = b.orientation = turn;
+    b.position += turn * Vec3(0.25, 0.05, 0);
+    const World world(worldOf({a, b}));
+    REQUIRE(world.partings().size() == 1);
+    const Parting& parting = world.partings()[0];
+    // What the case below has, turned.
+    CHECK((parting.way - turn * Vec3(-1, 0, 0)).norm() < 1e-12);
+    CHECK((parting.low - Vec3(-0.05, -0.35, -0.3)).norm() < 1e-12);
+    CHECK((parting.high - Vec3(0.55, 0.25, 0.3)).norm() < 1e-12);
+    CHECK(parting.lasts({0, 0, 0}));
+    CHECK(parting.lasts(turn * Vec3(-0.04, 0.2, 0)));
+    CHECK(!parting.lasts(turn * Vec3(-0.06, 0, 0)));
+    CHECK(!parting.lasts(turn * Vec3(0, 0.3, 0)));
+}
+
 TEST_CASE("one of two that is marked may be in the other, and has a way out") {
     BodyDescription a = cube({0, 0, 0}, 4), b = cube({0.25, 0.05, 0});
     for (const bool first : {true, false}) {

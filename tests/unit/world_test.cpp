@@ -1,8 +1,10 @@
 #include "core/world.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "catch.hpp"
 #include "core/diagnostics.hpp"
@@ -95,6 +97,64 @@ TEST_CASE("masses add up to density times volume, and a joined group's to its me
     CHECK(group == Approx((4 * 1000 + 4 * 3000) * 0.001 / 8));
     // Drag and gravity of a body: weighted by mass.
     CHECK(world.bondCount() == 6 * 5 * 3 + 7 * 4 * 3 + 7 * 5 * 2 - 3);
+}
+
+TEST_CASE("a body is turned about the centre of its bottom face, with all that belongs to it") {
+    WorldDescription description = block({5, 4, 3}, brittle());
+    description.bodies[0].size = {1, 0.6, 0.3};
+    description.bodies[0].position = {2, 3, -1};
+    description.bodies[0].anchors = {Side::Left};
+    EventDescription event = hit(0, {0.35, 0.4, 0.1}, {1, 0, 0});
+    event.radius = 0.2;
+    description.events = {event};
+    const World upright(description);
+    Random random(7);
+    for (int trial = 0; trial < 5; ++trial) {
+        const Mat3 turn = random.rotation();
+        description.bodies[0].orientation = turn;
+        const World world(description);
+        const Body& body = world.bodies()[0];
+        CHECK(body.turned);
+        CHECK((body.axes - turn).norm() < 1e-14);
+        const Vec3 about(2, 3, -1);
+        Vec3 low = Vec3::Constant(1e9), high = -low;
+        for (int node = 0; node < world.nodeCount(); ++node) {
+            const Vec3 x = world.restPosition(node);
+            const Vec3 expected = about + turn * (upright.restPosition(node) - about);
+            // Both are rounded to single precision, at coordinates of up to 4 m.
+            REQUIRE((x - expected).norm() < 1e-6);
+            REQUIRE(world.anchored(node) == upright.anchored(node));
+            for (const double c : x) REQUIRE(c == static_cast<double>(static_cast<float>(c)));
+            REQUIRE(insidePatch(world.events()[0], x.cast<float>()) ==
+                    insidePatch(upright.events()[0], upright.restPosition(node).cast<float>()));
+            low = low.cwiseMin(x);
+            high = high.cwiseMax(x);
+        }
+        CHECK((body.bounds().low - low).norm() < 1e-6);
+        CHECK((body.bounds().high - high).norm() < 1e-6);
+        CHECK(world.events()[0].acceleration == upright.events()[0].acceleration);
+        for (int bond = 0; bond < world.bondSlots(); ++bond)
+            REQUIRE(world.bondStrength(bond) == upright.bondStrength(bond));
+    }
+}
+
+TEST_CASE("a quarter turn is exact, however its angles are rounded") {
+    WorldDescription description = block({2, 3, 1}, softElastic());
+    for (const double angle :
+         {std::numbers::pi / 2, 1.5707963267948966, -3 * std::numbers::pi / 2}) {
+        description.bodies[0].orientation = Eigen::AngleAxisd(angle, Vec3::UnitY());
+        const World world(description);
+        const Body& body = world.bodies()[0];
+        CHECK(body.axes.col(0) == Vec3(0, 0, -1));
+        CHECK(body.axes.col(1) == Vec3(0, 1, 0));
+        CHECK(body.axes.col(2) == Vec3(1, 0, 0));
+        for (int corner : {0, 1, 4, 5}) CHECK(world.restPosition(corner)[1] == 0);
+    }
+    // Once round, or the same quaternion with the other sign, is no turn.
+    for (const double angle : {0., 2 * std::numbers::pi, 4 * std::numbers::pi}) {
+        description.bodies[0].orientation = Eigen::AngleAxisd(angle, Vec3(1, 2, 3).normalized());
+        CHECK(!World(description).anyTurned());
+    }
 }
 
 TEST_CASE("anchored sides hold exactly the nodes on them") {
