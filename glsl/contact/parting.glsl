@@ -9,7 +9,8 @@ uniform float fastestParting;    // m/s
 // m, from where it is at rest.
 vec3 movedBy(int sphere, vec3 centre) {
     BodyRecord body = bodyRecord(bodyOf(cellRecord(cellOf(sphere))));
-    return centre - texelFetch(rest, 8 * cellOf(sphere)).xyz - placeInCell(sphere, sphereCounts(body)) * body.cellSize.xyz;
+    return centre - texelFetch(rest, 8 * cellOf(sphere)).xyz -
+           alongAxes(body, placeInCell(sphere, sphereCounts(body)) * body.cellSize.xyz);
 }
 
 // Of two spheres, the lower number first, with centres x and y: the way out, or 0 where the overlap is over; the speed their bodies
@@ -25,6 +26,11 @@ void partingOf(int first, int second, vec3 x, vec3 y, out vec3 way, out float pu
         vec4 high = texelFetch(partings, SUNDER_PARTING_TEXELS * middle + 1);
         if (low.w == a && high.w == b) {
             vec3 moved = movedBy(first, x) - movedBy(second, y);
+#ifdef TURNED
+            int axes = SUNDER_PARTING_TEXELS * middle + 3;
+            moved = moved * mat3(texelFetch(partings, axes).xyz, texelFetch(partings, axes + 1).xyz,
+                                 texelFetch(partings, axes + 2).xyz);
+#endif
             if (all(greaterThan(moved, low.xyz)) && all(lessThan(moved, high.xyz)))
                 way = texelFetch(partings, SUNDER_PARTING_TEXELS * middle + 2).xyz;
             pushSpeed = kPushShare * fastestParting;

@@ -20,7 +20,8 @@ void main() {
     uvec4 record = cellRecord(cell);
     BodyRecord own = bodyRecord(bodyOf(record));
     body = whole(linkMasksOf(cell), record.x) ? float(record.y) : kLoose;
-    displacement = centre.xyz - texelFetch(rest, 8 * cell).xyz - placeInCell(gl_VertexID, sphereCounts(own)) * own.cellSize.xyz;
+    displacement = centre.xyz - texelFetch(rest, 8 * cell).xyz -
+                   alongAxes(own, placeInCell(gl_VertexID, sphereCounts(own)) * own.cellSize.xyz);
     vec2 texel = (vec2(regionTexel(regionOf(centre.xyz))) + 0.5) / vec2(1 << regionBits.x, 1 << regionBits.y);
     gl_Position = vec4(2.0 * texel - 1.0, 0.0, 1.0);
 }

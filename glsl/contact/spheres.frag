@@ -22,7 +22,7 @@ void main() {
     BodyRecord body = bodyRecord(bodyOf(record));
     vec3 place = placeInCell(sphere, sphereCounts(body));
     if (place.z > 1.0) return;
-    vec3 x = texelFetch(rest, 8 * cell).xyz + place * body.cellSize.xyz, v = vec3(0.0);
+    vec3 x = texelFetch(rest, 8 * cell).xyz + alongAxes(body, place * body.cellSize.xyz), v = vec3(0.0);
     for (int k = 0; k < 8; ++k) {
         float weight = cornerWeight(place, k);
         x += weight * displacementOf(cell, k);

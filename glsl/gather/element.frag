@@ -2,7 +2,8 @@
 // targets; with STRESSES, every few steps, the stresses that bonds are tested with instead.
 //
 // On a box cell nothing but edge lengths is needed (no rest matrices): in a corner tetrahedron the columns of F are the three
-// edges at its apex over their lengths, in the central one half sums and differences of its four corners.
+// edges at its apex over their lengths, in the central one half sums and differences of its four corners. All vectors are along the
+// body's own axes, so that F is exactly the identity at rest, whatever they are.
 #include "gather/cell_texel.glsl"
 #include "gather/node.glsl"
 #include "physics/lattice.glsl"
@@ -93,6 +94,13 @@ void main() {
         v[k] = texelFetch(nodes, ivec3(texel, velocityLayer(k ^ parity)), 0).xyz;
         f[k] = vec3(0.0);
     }
+#ifdef TURNED
+    mat3 axes = bodyAxes(bodyRecord(bodyOf(record)));
+    for (int k = 0; k < 8; ++k) {
+        u[k] = u[k] * axes;
+        v[k] = v[k] * axes;
+    }
+#endif
     vec3 r = 1.0 / law.cellSize.xyz;
     if (parity != 0) r.x = -r.x;
 
@@ -116,6 +124,9 @@ void main() {
 #endif
 #else
     mat3 back = centralTetrahedron(law, r);
+#ifdef TURNED
+    back = axes * back;
+#endif
     for (int k = 0; k < 8; k += 2) {
         newForces[k] = vec4(back * (parity == 0 ? f[k] : f[k + 1]), 0.0);
         newForces[k + 1] = vec4(back * (parity == 0 ? f[k + 1] : f[k]), 0.0);

@@ -17,7 +17,21 @@ int parityOf(uvec4 record) { return (record.x & SUNDER_CELL_ODD) != 0u ? 1 : 0; 
 BodyRecord bodyRecord(int body) {
     int first = SUNDER_BODY_TEXELS * body;
     return BodyRecord(texelFetch(bodies, first), texelFetch(bodies, first + 1), texelFetch(bodies, first + 2),
-                      texelFetch(bodies, first + 3));
+                      texelFetch(bodies, first + 3), texelFetch(bodies, first + 4), texelFetch(bodies, first + 5),
+                      texelFetch(bodies, first + 6));
+}
+
+// A body's own axes in the world at rest, as columns. TURNED is defined where any body's
+// are not the world's; all others do not pay for them, and go through the same operations as if there were none.
+mat3 bodyAxes(BodyRecord body) { return mat3(body.axisX.xyz, body.axisY.xyz, body.axisZ.xyz); }
+
+// m, in the world: from a body's origin, or a cell's corner 0, to a place at rest that lies `own` from there along the body's axes.
+vec3 alongAxes(BodyRecord body, vec3 own) {
+#ifdef TURNED
+    return bodyAxes(body) * own;
+#else
+    return own;
+#endif
 }
 
 ivec3 cellCoordinates(int cell, ivec4 lattice) {

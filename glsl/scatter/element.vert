@@ -10,7 +10,7 @@ uniform samplerBuffer nodes;  // NodeRecord
 uniform float stepSize;       // s
 
 in ivec4 nodeIndices;  // the finite element structure of chapter 6: four node indices
-in mat3 inverseRest;   // and the rest configuration D_m⁻¹, 1/m
+in mat3 inverseRest;   // and the rest configuration D_m⁻¹, 1/m, along the body's own axes
 
 flat out ivec4 elementNodes;
 out vec3 force0;
@@ -24,8 +24,15 @@ out vec3 biotNormal;      // T_xx, T_yy, T_zz, Pa
 out vec3 biotShear;       // T_xy, T_yz, T_zx, Pa
 #endif
 
+// Along the body's own axes, as all vectors here but the forces: so F is exactly the identity at rest, whatever they are.
+#ifdef TURNED
+mat3 axes;
+vec3 displacementOf(int node) { return texelFetch(nodes, 2 * node).xyz * axes; }
+vec3 velocityOf(int node) { return texelFetch(nodes, 2 * node + 1).xyz * axes; }
+#else
 vec3 displacementOf(int node) { return texelFetch(nodes, 2 * node).xyz; }
 vec3 velocityOf(int node) { return texelFetch(nodes, 2 * node + 1).xyz; }
+#endif
 
 // What turns the forces of a cell back: all its tetrahedra work it out of the central one's nodes.
 mat3 backOf(int cell, ElementLaw law) {
@@ -52,6 +59,9 @@ void main() {
         return;
     }
     ElementLaw law = laws[lawIndex];
+#ifdef TURNED
+    axes = bodyAxes(bodyRecord(bodyOf(cellRecord(cell))));
+#endif
     vec3 u0 = displacementOf(nodeIndices.x), v0 = velocityOf(nodeIndices.x);
     mat3 displacement = mat3(displacementOf(nodeIndices.y) - u0, displacementOf(nodeIndices.z) - u0,
                              displacementOf(nodeIndices.w) - u0);
@@ -62,6 +72,9 @@ void main() {
 
     float volume = law.cellSize.w * (tetrahedron == 4 ? 1.0 / 3.0 : 1.0 / 6.0);
     mat3 forces = -volume * backOf(cell, law) * stress.piola * transpose(inverseRest);
+#ifdef TURNED
+    forces = axes * forces;
+#endif
     force1 = forces[0];
     force2 = forces[1];
     force3 = forces[2];

@@ -51,23 +51,30 @@ struct SurfaceLook {
 #define SUNDER_CLUSTERS_PLANKS 2
 #define SUNDER_CLUSTERS_BOARDS 3  // planks glued to one another: to be seen, but nothing comes apart there
 
-// One body: four texels of the texture buffer `bodies` (RGBA32F; integers are exact below 2^24).
+// One body: seven texels of the texture buffer `bodies` (RGBA32F; integers are exact below 2^24).
 struct BodyRecord {
     vec4 lattice;  // cells along x, y, z; first cell
-    vec4 cellSize; // xyz: m; w unused
+    vec4 cellSize; // xyz: m, along its own axes; w unused
     vec4 gravity;  // xyz: m/s²; w: exp(−drag·h)
     vec4 spheres;  // of a cell: how many along x, y, z: x + 16 y + 256 z; their radius, m; zw unused
+    vec4 axisX;    // xyz: its own axes in the world, at rest; w unused
+    vec4 axisY;
+    vec4 axisZ;
 };
-#define SUNDER_BODY_TEXELS 4
+#define SUNDER_BODY_TEXELS 7
+#define SUNDER_BODY_AXES 4  // texel of the first
 
-// Two bodies that overlap as the world begins (src/core/overlap.hpp): three texels of the texture buffer `partings` (RGBA32F), by a,
+// Two bodies that overlap as the world begins (src/core/overlap.hpp): six texels of the texture buffer `partings` (RGBA32F), by a,
 // then b.
 struct PartingRecord {
-    vec4 low;   // xyz: m; w: body a
-    vec4 high;  // xyz: m; w: body b, greater than a
-    vec4 way;   // xyz: unit vector; w unused
+    vec4 low;    // xyz: m, along the axes below; w: body a
+    vec4 high;   // xyz: likewise; w: body b, greater than a
+    vec4 way;    // xyz: unit vector, in the world; w unused
+    vec4 axisX;  // xyz: unit vector, in the world; w unused
+    vec4 axisY;
+    vec4 axisZ;
 };
-#define SUNDER_PARTING_TEXELS 3
+#define SUNDER_PARTING_TEXELS 6
 
 // One event: three texels of the texture buffer `events` (RGBA32F). Before all of them, a texel for the events of every body, then one
 // for each body: the first of its events' texels, and how many events it has.

@@ -76,8 +76,9 @@ void setRegions(const gl::Program& program, const World& world) {
     const double size = 2.01 * reach(world);
     Vec3 low = Vec3::Constant(1e30), high = -low;
     for (const Body& body : world.bodies()) {
-        low = low.cwiseMin(body.origin);
-        high = high.cwiseMax(body.origin + body.cells.cast<double>().cwiseProduct(body.cellSize));
+        const Box box = body.bounds();
+        low = low.cwiseMin(box.low);
+        high = high.cwiseMax(box.high);
     }
     const auto extent = [&](int axis) {
         return static_cast<int>(std::min((high[axis] - low[axis]) / size, 30000.0)) + 8;
@@ -119,7 +120,7 @@ ContactPass::ContactPass(const World& world, int columns, Storage storage)
       listedProgram_(program(spheres_, "contact/spheres.frag", gl::with(defines_, "LISTED", "1"))),
       regionProgram_({.vertex = "contact/region.vert",
                       .fragment = "contact/region.frag",
-                      .defines = defines_}),
+                      .defines = withTurned(defines_, world.anyTurned())}),
       exposedProgram_(program(exposed_, "contact/exposed.frag", defines_)),
       gridProgram_(
           {.vertex = "contact/grid.vert", .fragment = "contact/grid.frag", .defines = defines_}),

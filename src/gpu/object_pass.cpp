@@ -50,9 +50,9 @@ ObjectState stateOf(const Layer& layer) {
 
 /// What has broken off a body that sleeps lies around it.
 RestBox wideBoxOf(const Body& body) {
-    const Vec3 size = body.cellSize.cwiseProduct(body.cells.cast<double>());
-    const Vec3 around = Vec3::Constant(0.5 * size.norm());
-    return {0, body.origin - around, body.origin + size + around};
+    const Box box = body.bounds();
+    const Vec3 around = Vec3::Constant(0.5 * body.size().norm());
+    return {0, box.low - around, box.high + around};
 }
 
 /// m, from a point to a box.

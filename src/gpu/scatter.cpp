@@ -113,12 +113,12 @@ void ScatterSolver::makeTargets() {
 
 void ScatterSolver::makePrograms() {
     for (const int fracture : {0, 1})
-        elementPrograms_[fracture] =
-            gl::Program({.vertex = "scatter/element.vert",
-                         .geometry = "scatter/element.geom",
-                         .fragment = "scatter/element.frag",
-                         .defines = {{"FRACTURE", std::to_string(fracture)}},
-                         .attributes = {{"nodeIndices", 0}, {"inverseRest", 1}}});
+        elementPrograms_[fracture] = gl::Program(
+            {.vertex = "scatter/element.vert",
+             .geometry = "scatter/element.geom",
+             .fragment = "scatter/element.frag",
+             .defines = withTurned({{"FRACTURE", std::to_string(fracture)}}, world_.anyTurned()),
+             .attributes = {{"nodeIndices", 0}, {"inverseRest", 1}}});
     connectivityProgram_ = gl::Program(
         {.vertex = "scatter/connectivity.vert", .fragment = "scatter/connectivity.frag"});
     nodeProgram_ = gl::Program({.vertex = "scatter/node.vert",

@@ -55,8 +55,9 @@ TexelTarget::TexelTarget(int count, int columns, int layers, const char* what)
 
 gl::Program TexelTarget::program(const World& world, const char* fragment,
                                  gl::Defines defines) const {
-    gl::Program program(
-        {.vertex = "gather/texels.vert", .fragment = fragment, .defines = std::move(defines)});
+    gl::Program program({.vertex = "gather/texels.vert",
+                         .fragment = fragment,
+                         .defines = withTurned(std::move(defines), world.anyTurned())});
     setConstants(program, world, columns_);
     program.use();
     glUniform2i(program.uniform("targetSize"), columns_, rows_);

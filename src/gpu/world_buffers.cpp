@@ -64,7 +64,9 @@ gl::Buffer makeBodies(const World& world) {
                           toVec4(body.cellSize, 0),
                           toVec4(body.gravity, std::exp(-body.drag * world.step())),
                           vec4(static_cast<float>(proxy.count.dot(IVec3(1, 16, 256))),
-                               static_cast<float>(proxy.radius), 0, 0)});
+                               static_cast<float>(proxy.radius), 0, 0),
+                          toVec4(body.axes.col(0), 0), toVec4(body.axes.col(1), 0),
+                          toVec4(body.axes.col(2), 0)});
     }
     return gl::makeBuffer<BodyRecord>(bodies, GL_STATIC_DRAW, "bodies");
 }
@@ -98,7 +100,8 @@ gl::Buffer makePartings(const World& world) {
     std::vector<PartingRecord> partings;
     for (const Parting& parting : world.partings())
         partings.push_back({toVec4(parting.low, parting.a), toVec4(parting.high, parting.b),
-                            toVec4(parting.way, 0)});
+                            toVec4(parting.way, 0), toVec4(parting.axes.col(0), 0),
+                            toVec4(parting.axes.col(1), 0), toVec4(parting.axes.col(2), 0)});
     partings.resize(std::max<std::size_t>(1, partings.size()));
     return gl::makeBuffer<PartingRecord>(partings, GL_STATIC_DRAW, "partings");
 }
@@ -132,9 +135,15 @@ static_assert(sizeof(BodyRecord) == 16 * SUNDER_BODY_TEXELS &&
               sizeof(PartingRecord) == 16 * SUNDER_PARTING_TEXELS &&
               sizeof(ObjectMotion) == 16 * SUNDER_OBJECT_LAYERS);
 
+gl::Defines withTurned(gl::Defines defines, bool turned) {
+    if (turned) defines.push_back({"TURNED", "1"});
+    return defines;
+}
+
 WorldBuffers::WorldBuffers(const World& world)
     : cellCount_(world.cellCount()),
       objectCount_(static_cast<int>(world.objects().size())),
+      turned_(world.anyTurned()),
       restBuffer_(makeRest(world)),
       cellBuffer_(makeCells(world)),
       bodyBuffer_(makeBodies(world)),

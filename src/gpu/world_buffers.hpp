@@ -1,9 +1,14 @@
 #pragma once
 #include "core/solver.hpp"
 #include "gl/objects.hpp"
+#include "gl/shader_assembly.hpp"
 #include "gpu/pass_timer.hpp"
 
 namespace sunder::gpu {
+
+/// Defines for a shader that asks for a body's axes: with TURNED where any body has others than the
+/// world's.
+gl::Defines withTurned(gl::Defines defines, bool turned);
 
 /// The part of a world that does not change, on the GPU: every GPU solver and the renderer read it.
 class WorldBuffers {
@@ -30,9 +35,12 @@ class WorldBuffers {
     const gl::Texture& partings() const { return partingTexture_; }
     /// Uniform block ElementLaws.
     const gl::Buffer& laws() const { return lawBuffer_; }
+    /// Whether any body's own axes are not the world's.
+    bool turned() const { return turned_; }
 
   private:
     int cellCount_, objectCount_;
+    bool turned_;
     gl::Buffer restBuffer_, cellBuffer_, bodyBuffer_, strengthBuffer_, objectBuffer_, lawBuffer_,
         partingBuffer_;
     gl::Texture restTexture_, cellTexture_, bodyTexture_, strengthTexture_, objectTexture_,
