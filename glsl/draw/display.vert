@@ -20,7 +20,7 @@ uniform mat4 viewProjection;
 flat out int paintedCell;  // for draw/paint.glsl
 out vec3 position;       // m, world
 out vec3 normal;         // of a body's outside, smooth, any length; zero on torn faces, which are flat
-out vec3 place;               // m, at rest, from the body's origin
+out vec3 place;               // m, at rest, from the body's origin along its own axes
 flat out uint surfaceLaw;
 flat out float seed;          // 0 to 1, per body
 flat out float insideFace;    // 1 on a face that a broken bond has bared
@@ -39,13 +39,39 @@ struct Lattice {
     ivec3 strides;  // from a cell to its neighbours
     vec3 cellSize;  // m
     int firstCell;
+#ifdef TURNED
+    mat3 axes;  // the body's own in the world, at rest
+#endif
 };
 
 Lattice latticeOf(int body) {
     vec4 lattice = texelFetch(bodies, SUNDER_BODY_TEXELS * body);
     ivec3 size = ivec3(lattice.xyz);
-    return Lattice(ivec3(1, size.x, size.x * size.y), texelFetch(bodies, SUNDER_BODY_TEXELS * body + 1).xyz,
-                   int(lattice.w));
+    ivec3 strides = ivec3(1, size.x, size.x * size.y);
+    vec3 cellSize = texelFetch(bodies, SUNDER_BODY_TEXELS * body + 1).xyz;
+#ifdef TURNED
+    int axes = SUNDER_BODY_TEXELS * body + SUNDER_BODY_AXES;
+    return Lattice(strides, cellSize, int(lattice.w), mat3(texelFetch(bodies, axes).xyz, texelFetch(bodies, axes + 1).xyz,
+                                                           texelFetch(bodies, axes + 2).xyz));
+#else
+    return Lattice(strides, cellSize, int(lattice.w));
+#endif
+}
+
+// From the body's own axes to the world's, and back.
+vec3 inWorld(Lattice lattice, vec3 own) {
+#ifdef TURNED
+    return lattice.axes * own;
+#else
+    return own;
+#endif
+}
+vec3 alongAxes(Lattice lattice, vec3 way) {
+#ifdef TURNED
+    return way * lattice.axes;
+#else
+    return way;
+#endif
 }
 
 // Octants around the vertex whose cells hang together with its own, as eight bits. `low`: cell of octant 0.
@@ -110,21 +136,22 @@ bool hidden() {
 
 #ifndef DEPTH_ONLY
 // How cell c's deformed face (2 * axis + side), a bilinear patch, goes on at u: along the next axis and the one after that.
-mat2x3 patchAxes(int c, int face, vec3 u, vec3 cellSize) {
+mat2x3 patchAxes(int c, int face, vec3 u, Lattice lattice) {
     int axis = face >> 1, b = (axis + 1) % 3, e = (axis + 2) % 3;
     int base = (face & 1) << axis;
     vec3 d00 = displacementOf(c, base), d10 = displacementOf(c, base | 1 << b);
     vec3 d01 = displacementOf(c, base | 1 << e), d11 = displacementOf(c, base | 1 << b | 1 << e);
     vec3 alongB = mix(d10 - d00, d11 - d01, clamp(u[e], 0.0, 1.0));
     vec3 alongE = mix(d01 - d00, d11 - d10, clamp(u[b], 0.0, 1.0));
-    alongB[b] += cellSize[b];
-    alongE[e] += cellSize[e];
-    return mat2x3(alongB, alongE);
+    vec3 edgeB = vec3(0.0), edgeE = vec3(0.0);
+    edgeB[b] = lattice.cellSize[b];
+    edgeE[e] = lattice.cellSize[e];
+    return mat2x3(alongB + inWorld(lattice, edgeB), alongE + inWorld(lattice, edgeE));
 }
 
 // Outwards. Its length is a measure of area.
-vec3 patchNormal(int c, int face, vec3 u, vec3 cellSize) {
-    mat2x3 along = patchAxes(c, face, u, cellSize);
+vec3 patchNormal(int c, int face, vec3 u, Lattice lattice) {
+    mat2x3 along = patchAxes(c, face, u, lattice);
     vec3 n = cross(along[0], along[1]);
     return (face & 1) == 1 ? n : -n;
 }
@@ -138,7 +165,8 @@ vec3 outsideNormal(int face, uint planes, uint own, uint group, int low, Lattice
         if ((planes & across) != 0u && octant != own) continue;  // beside a hole: others may go on behind the face
         ivec3 at = ivec3(octant & 1u, octant >> 1 & 1u, octant >> 2);
         int c = low + at.x * lattice.strides.x + at.y * lattice.strides.y + at.z * lattice.strides.z;
-        sum += patchNormal(c, face, (start - texelFetch(rest, 8 * c).xyz) / lattice.cellSize, lattice.cellSize);
+        vec3 u = alongAxes(lattice, start - texelFetch(rest, 8 * c).xyz) / lattice.cellSize;
+        sum += patchNormal(c, face, u, lattice);
     }
     return sum;
 }
@@ -188,17 +216,18 @@ void main() {
 
     // What has come apart draws back. High octants of an axis: 170 = 0b10101010, 204 and 240.
     const uvec3 HIGH = uvec3(170u, 204u, 240u);
-    vec3 p = start;
+    vec3 back = vec3(0.0);
     uvec3 high = uvec3(group) & HIGH;
     for (int axis = 0; axis < 3; ++axis) {
         bool outside = (code >> uint(SUNDER_DISPLAY_OUTSIDE_BIT + axis) & 1u) != 0u;
         if ((planes >> uint(axis) & 1u) == 0u || outside) continue;
         float gap = SUNDER_DISPLAY_GAP * lattice.cellSize[axis];
-        if (high[axis] == 0u) p[axis] -= gap;
-        if (high[axis] == group) p[axis] += gap;
+        if (high[axis] == 0u) back[axis] -= gap;
+        if (high[axis] == group) back[axis] += gap;
     }
+    vec3 p = start + inWorld(lattice, back);
 
-    vec3 u = (p - texelFetch(rest, 8 * bound).xyz) / lattice.cellSize;
+    vec3 u = alongAxes(lattice, p - texelFetch(rest, 8 * bound).xyz) / lattice.cellSize;
     vec3 moved = p + displacementAt(bound, u);
     gl_Position = viewProjection * vec4(moved, 1.0);
 #ifndef DEPTH_ONLY
@@ -206,17 +235,17 @@ void main() {
     if ((code & SUNDER_DISPLAY_FACE_INNER) == 0u)
         normal = outsideNormal(int(code >> uint(SUNDER_DISPLAY_FACE_BIT) & 7u), planes, own, group, low, lattice);
     surfaceLaw = record.r & SUNDER_CELL_LAW;
-    place = start - texelFetch(rest, 8 * lattice.firstCell).xyz;
+    place = alongAxes(lattice, start - texelFetch(rest, 8 * lattice.firstCell).xyz);
     seed = fract(0.618034 * float(record.g));
     insideFace = (code & SUNDER_DISPLAY_FACE_INNER) != 0u ? 1.0 : 0.0;
     boundaryFace = (code & SUNDER_DISPLAY_FACE_BOUNDARY) != 0u ? 1.0 : 0.0;
 #endif
 #ifdef SURFACE
     int face = int(code >> uint(SUNDER_DISPLAY_FACE_BIT) & 7u);
-    vec3 inCell = (start - texelFetch(rest, 8 * self).xyz) / lattice.cellSize;
-    if (normal == vec3(0.0)) normal = patchNormal(self, face, inCell, lattice.cellSize);
+    vec3 inCell = alongAxes(lattice, start - texelFetch(rest, 8 * self).xyz) / lattice.cellSize;
+    if (normal == vec3(0.0)) normal = patchNormal(self, face, inCell, lattice);
     normal = normalize(normal);
-    mat2x3 along = patchAxes(self, face, inCell, lattice.cellSize);
+    mat2x3 along = patchAxes(self, face, inCell, lattice);
     // Textures go along z and y, x and z, x and y.
     bool turned = face >> 1 == 2;
     vec3 first = turned ? along[0] : along[1], second = turned ? along[1] : along[0];

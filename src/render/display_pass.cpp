@@ -9,7 +9,7 @@ namespace {
 
 constexpr GLuint kRestLocation = 0, kPlaceLocation = 1;
 
-gl::ProgramDescription describe(DisplayPass::Output output) {
+gl::ProgramDescription describe(DisplayPass::Output output, bool turned) {
     using Output = DisplayPass::Output;
     gl::ProgramDescription description{.vertex = "draw/display.vert"};
     switch (output) {
@@ -34,6 +34,7 @@ gl::ProgramDescription describe(DisplayPass::Output output) {
             description.feedback = {"position", "normal"};
             break;
     }
+    description.defines = gpu::withTurned(std::move(description.defines), turned);
     return description;
 }
 
@@ -74,7 +75,7 @@ void DisplayBuffers::drawVertices() const {
 
 DisplayPass::DisplayPass(Output output, const gpu::WorldBuffers& buffers,
                          const DisplayBuffers& mesh)
-    : buffers_(buffers), mesh_(mesh), program_(describe(output)) {
+    : buffers_(buffers), mesh_(mesh), program_(describe(output, buffers.turned())) {
     prepareWallState(program_);
     Shading::prepare(program_);
 }

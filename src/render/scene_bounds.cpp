@@ -44,9 +44,9 @@ SceneBounds sceneBounds(const World& world) {
     Corners box;
     double tallest = 0;
     for (const Body& body : world.bodies()) {
-        const Vec3 size = body.cellSize.cwiseProduct(body.cells.cast<double>());
-        box.include(body.origin, body.origin + size);
-        tallest = std::max(tallest, size.maxCoeff());
+        const Box bounds = body.bounds();
+        box.include(bounds.low, bounds.high);
+        tallest = std::max(tallest, body.size().maxCoeff());
     }
     includeObjects(world, tallest, box);
     // Debris of a blow lands within about a wall's height; more would only cost the shadow map its

@@ -50,7 +50,7 @@ class FaceBuilder {
             for (int k = 0; k <= n[c]; ++k) {
                 p[b] = cell_[b] * n[b] + j;
                 p[c] = cell_[c] * n[c] + k;
-                vertices.push_back({(body_.origin + lattice_.position(p)).cast<float>(), cell,
+                vertices.push_back({body_.inWorld(lattice_.position(p)).cast<float>(), cell,
                                     faceCode | codeOfPoint(p), owner});
             }
         const auto at = [&](int j, int k) {
@@ -246,11 +246,12 @@ Vec3 displayedPosition(const World& world, const State& state, const DisplayVert
         for (int o = 0; o < 8; ++o)
             if (o >> axis & 1) high |= group & 1 << o;
         const double gap = SUNDER_DISPLAY_GAP * body.cellSize[axis];
-        if (high == 0) rest[axis] -= gap;
-        if (high == group) rest[axis] += gap;
+        if (high == 0) rest -= gap * body.axes.col(axis);
+        if (high == group) rest += gap * body.axes.col(axis);
     }
 
-    const Vec3 u = (rest - world.restPosition(kCorners * cell)).cwiseQuotient(body.cellSize);
+    const Vec3 own = body.axes.transpose() * (rest - world.restPosition(kCorners * cell));
+    const Vec3 u = own.cwiseQuotient(body.cellSize);
     const Binding binding = bind(u, world.parity(cell));
     for (int i = 0; i < 4; ++i)
         rest += binding.weights[i] * state.displacement[kCorners * cell + binding.corners[i]];

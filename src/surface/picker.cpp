@@ -80,8 +80,9 @@ Picker::Picker(const World& world, const DisplayMesh& mesh)
 
     for (const DisplayVertex& vertex : mesh.vertices()) {
         const int cell = static_cast<int>(vertex.cell);
-        const Vec3 size = world.bodies()[world.bodyOf(cell)].cellSize;
-        const Vec3 centre = world.restPosition(kCorners * cell) + size / 2;
+        const Body& body = world.bodies()[world.bodyOf(cell)];
+        const Vec3& size = body.cellSize;
+        const Vec3 centre = world.restPosition(kCorners * cell) + body.axes * (size / 2);
         const double away = (vertex.rest.cast<double>() - centre).norm() / (size.norm() / 2);
         reach_[cell] = std::max(reach_[cell], static_cast<float>(away));
     }

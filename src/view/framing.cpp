@@ -20,11 +20,11 @@ using Corners = std::array<Vec3, 8>;
 constexpr double kComposedAspect = 16.0 / 9;
 constexpr double kMargin = 0.03;  // of half the picture, around what has to be seen
 
-Corners cornersOf(const Vec3& centre, const Eigen::Quaterniond& orientation, const Vec3& halfSize) {
+Corners cornersOf(const Vec3& centre, const Mat3& axes, const Vec3& halfSize) {
     Corners corners;
     for (int i = 0; i < 8; ++i) {
         const Vec3 side(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-        corners[i] = centre + orientation * halfSize.cwiseProduct(side);
+        corners[i] = centre + axes * halfSize.cwiseProduct(side);
     }
     return corners;
 }
@@ -33,12 +33,13 @@ Corners cornersOf(const Vec3& centre, const Eigen::Quaterniond& orientation, con
 std::vector<Corners> boxesAtStart(const World& world) {
     std::vector<Corners> boxes;
     for (const Body& body : world.bodies()) {
-        const Vec3 half = 0.5 * body.cellSize.cwiseProduct(body.cells.cast<double>());
-        boxes.push_back(cornersOf(body.origin + half, Eigen::Quaterniond::Identity(), half));
+        const Vec3 half = 0.5 * body.size();
+        boxes.push_back(cornersOf(body.inWorld(half), body.axes, half));
     }
     for (const ObjectDescription& object : world.description().objects)
         if (object.position)
-            boxes.push_back(cornersOf(*object.position, object.orientation, object.halfSize));
+            boxes.push_back(cornersOf(*object.position, object.orientation.toRotationMatrix(),
+                                      object.halfSize));
     return boxes;
 }
 

@@ -255,7 +255,8 @@ bool Session::composed() const {
     const auto& then = opened_.world.bodies;
     const auto& now = scene().world.bodies;
     const auto alike = [](const BodyDescription& a, const BodyDescription& b) {
-        return a.size == b.size && a.position == b.position;
+        return a.size == b.size && a.position == b.position &&
+               a.orientation.coeffs() == b.orientation.coeffs();
     };
     return opened_.ownCamera && std::equal(then.begin(), then.end(), now.begin(), now.end(), alike);
 }
@@ -303,9 +304,9 @@ void Session::hitPreset(int number) {
     const World& world = stage->simulation.world();
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::max()), high = -low;
     for (const Body& body : world.bodies()) {
-        const Vec3 size = body.cellSize.cwiseProduct(body.cells.cast<double>());
-        low = low.cwiseMin(body.origin);
-        high = high.cwiseMax(body.origin + size);
+        const Box box = body.bounds();
+        low = low.cwiseMin(box.low);
+        high = high.cwiseMax(box.high);
     }
     const Vec3 share((number - 1) % 3 / 3.0 + 1.0 / 6, (number - 1) / 3 / 3.0 + 1.0 / 6, 0.5);
     const Vec3 place = low + share.cwiseProduct(high - low);

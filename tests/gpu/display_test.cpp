@@ -12,6 +12,7 @@
 #include "render/display_pass.hpp"
 #include "render/picture_target.hpp"
 #include "scene/scene.hpp"
+#include "support/turned_worlds.hpp"
 #include "support/worlds.hpp"
 #include "surface/display_mesh.hpp"
 
@@ -162,6 +163,46 @@ TEST_CASE("displayed positions are those of the barycentric coordinates, on a be
         }
         CHECK(seen > static_cast<int>(moved.size()) / 4);
         CHECK(most < 1e-5);
+    }
+}
+
+TEST_CASE("a turned wall is seen as its twin is, turned", "[display]") {
+    const Mat3 turn = Eigen::AngleAxisd(2.1, Vec3(1, -2, 0.7).normalized()).toRotationMatrix();
+    for (const char* material : {"wood", "brick"}) {
+        CAPTURE(material);
+        const WorldDescription d = presetWall(material, 40);
+        const World twin(d), world(turnedWorld(d, turn));
+        State expected = afterFrames(twin, 12);
+        const State bend = bent(twin, 0.2);
+        for (int node = 0; node < twin.nodeCount(); ++node)
+            expected.displacement[node] += bend.displacement[node];
+        expected = roundedToSingle(expected);
+        const State state = roundedToSingle(turnedState(expected, turn));
+        const surface::DisplayMesh mesh(world), other(twin);
+        REQUIRE(mesh.vertices().size() == other.vertices().size());
+        REQUIRE(mesh.indices() == other.indices());
+        const std::vector<Moved> moved = movedVertices(world, state, mesh);
+        const std::vector<Moved> twins = movedVertices(twin, expected, other);
+        const auto vector = [](const glm::vec3& v) { return Vec3(v.x, v.y, v.z); };
+        double most = 0, tilt = 0;
+        int seen = 0;
+        for (std::size_t i = 0; i < moved.size(); ++i) {
+            REQUIRE(mesh.vertices()[i].code == other.vertices()[i].code);
+            if (surface::displayHidden(state, mesh.vertices()[i])) continue;
+            ++seen;
+            const Vec3 place = vector(moved[i].position);
+            most = std::max({most, (place - turn * vector(twins[i].position)).norm(),
+                             (place - displayedPosition(world, state, mesh.vertices()[i])).norm()});
+            const Vec3 normal = vector(moved[i].normal), twinNormal = vector(twins[i].normal);
+            REQUIRE(normal.isZero(0) == twinNormal.isZero(0));
+            if (!normal.isZero(0))
+                tilt =
+                    std::max(tilt, (normal.normalized() - turn * twinNormal.normalized()).norm());
+        }
+        CHECK(seen > static_cast<int>(moved.size()) / 4);
+        // Single precision: of places within 2 m; and of edges of a tenth of that.
+        CHECK(most < 1e-5);
+        CHECK(tilt < 1e-4);
     }
 }
 

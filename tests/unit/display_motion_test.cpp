@@ -5,6 +5,7 @@
 
 #include "catch.hpp"
 #include "support/display_sections.hpp"
+#include "support/turned_worlds.hpp"
 #include "support/worlds.hpp"
 #include "surface/display_mesh.hpp"
 
@@ -37,6 +38,38 @@ TEST_CASE("an intact wall has no seams when it bends", "[display]") {
             const Vec3 place = surface::displayedPosition(wall.world, wall.state, v);
             const auto [known, isNew] = places.emplace(point(v), place);
             if (!isNew) REQUIRE(known->second == place);  // to the bit
+        }
+    }
+}
+
+TEST_CASE("a turned wall has no seams, and its torn faces are its twin's, turned", "[display]") {
+    Random random(5);
+    for (const int seed : {1, 2, 5, 7}) {
+        CAPTURE(seed);
+        const BentWall twin(seed);
+        const Mat3 turn = random.rotation();
+        WorldDescription d = turnedWorld(twin.world.description(), turn);
+        d.ground = false;
+        const World world(d);
+        for (const double share : {0.0, 0.5}) {
+            State expected = twin.state;
+            for (double& damage : expected.damage)
+                if (damage < 1 && random() < 2 * share - 1) damage = 1;
+            const State state = turnedState(expected, turn);
+            std::map<Point, Vec3> places;
+            const auto vertices = verticesOf(world), others = verticesOf(twin.world);
+            REQUIRE(vertices.size() == others.size());
+            double most = 0;
+            for (std::size_t i = 0; i < vertices.size(); ++i) {
+                const Vec3 place = surface::displayedPosition(world, state, vertices[i]);
+                const Vec3 other = surface::displayedPosition(twin.world, expected, others[i]);
+                most = std::max(most, (place - turn * other).norm());
+                if (share > 0) continue;
+                const auto [known, isNew] = places.emplace(point(vertices[i]), place);
+                if (!isNew) REQUIRE(known->second == place);  // to the bit
+            }
+            // Places at rest are single-precision numbers, of some metres.
+            CHECK(most < 2e-6);
         }
     }
 }
