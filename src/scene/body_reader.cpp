@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/names.hpp"
+#include "core/orientation.hpp"
 #include "core/wording.hpp"
 #include "scene/limits.hpp"
 #include "scene/overlap_reader.hpp"
@@ -22,8 +23,9 @@ std::string copyName(const BodyDescription& body, std::int64_t number) {
 }  // namespace
 
 void BodyReader::readAll(const TableReader& scene) {
-    const TableReader::Keys keys{"name",   "material", "size",    "cells",  "position",
-                                 "anchor", "copies",   "spacing", "region", "overlap"};
+    const TableReader::Keys keys{"name",     "material",    "size",   "cells",
+                                 "position", "orientation", "anchor", "copies",
+                                 "spacing",  "region",      "overlap"};
     const std::vector<TableReader> readers = scene.tables("body", keys, kMaxBodies);
     if (readers.empty())
         scene.fail(
@@ -38,6 +40,9 @@ void BodyReader::readBody(const TableReader& reader) {
     reader.require("size", "[x, y, z] in m");
     reader.require("cells", "the number of cells along x, y, z, such as [30, 20, 1]");
     reader.read(bodyRules(), body);
+    RotationDescription degrees;
+    reader.read(kOrientationRule, degrees);
+    body.orientation = fromDegrees(degrees.rotation);
     body.mayOverlap = readOverlap(reader);
     body.where = reader.where("position");
     for (const std::size_t side : reader.readChoices("anchor", kSideNames))
@@ -94,7 +99,9 @@ void BodyReader::addCopies(const TableReader& reader, const BodyDescription& bod
             reader.fail("copies",
                         "copies needs spacing, the distance from one copy to the next along "
                         "x, y, z in m");
-        if (!body.mayOverlap && std::abs(spacing[axis]) < body.size[axis])
+        // Where it is turned, they may fit although this is less; World sees whether they do.
+        const bool upright = isUpright(axesOf(body.orientation));
+        if (upright && !body.mayOverlap && std::abs(spacing[axis]) < body.size[axis])
             reader.fail("spacing", "spacing: number " + std::to_string(axis + 1) +
                                        " must be at least the body's size, " +
                                        formatNumber(body.size[axis]) +

@@ -1,9 +1,9 @@
 #include "scene/object_reader.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 #include "core/names.hpp"
+#include "core/orientation.hpp"
 #include "core/wording.hpp"
 #include "scene/limits.hpp"
 #include "scene/overlap_reader.hpp"
@@ -43,9 +43,7 @@ void readShape(const TableReader& reader, ObjectDescription& object) {
 Eigen::Quaterniond readOrientation(const TableReader& reader) {
     RotationDescription degrees;
     reader.read(kRotationRule, degrees);
-    const Vec3 angle = degrees.rotation * std::numbers::pi / 180;
-    return Eigen::AngleAxisd(angle[2], Vec3::UnitZ()) * Eigen::AngleAxisd(angle[1], Vec3::UnitY()) *
-           Eigen::AngleAxisd(angle[0], Vec3::UnitX());
+    return fromDegrees(degrees.rotation);
 }
 
 void readMotion(const TableReader& reader, ObjectDescription& object) {

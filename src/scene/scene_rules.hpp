@@ -56,7 +56,7 @@ inline std::span<const core::Rule<CopiesDescription>> copiesRules() {
     return kCopiesRules;
 }
 
-/// How an object is turned.
+/// How an object is turned, and a body.
 struct RotationDescription {
     core::Vec3 rotation{0, 0, 0};  ///< degrees about the world's x axis, then y, then z
 };
@@ -65,5 +65,8 @@ inline constexpr core::Rule<RotationDescription> kRotationRule{
     {-360, 360, "degrees"},
     &RotationDescription::rotation,
     "Angles about the world's x axis, then y, then z."};
+inline constexpr core::Rule<RotationDescription> kOrientationRule{
+    "orientation", kRotationRule.range, &RotationDescription::rotation,
+    "Angles about its position: about the world's x axis, then y, then z."};
 
 }  // namespace sunder::scene

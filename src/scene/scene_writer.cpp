@@ -1,9 +1,9 @@
 #include "scene/scene_writer.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <set>
+
+#include "core/orientation.hpp"
 
 namespace sunder::scene {
 
@@ -108,6 +108,8 @@ void addBody(Writer& out, const BodyDescription& body, const std::string& name,
     out.add("size", body.size);
     out.add("cells", body.cells);
     out.add("position", body.position);
+    if (const Vec3 degrees = toDegrees(body.orientation); !degrees.isZero(0))
+        out.add("orientation", degrees);
     std::string anchors;
     for (const Side side : body.anchors)
         anchors += (anchors.empty() ? "" : ", ") + text(kSideNames[static_cast<int>(side)]);
@@ -135,13 +137,8 @@ void addObject(Writer& out, const ObjectDescription& object, const std::string& 
         if (object.shape == ObjectShape::Capsule) out.add("length", 2 * object.halfSize[1]);
     }
     if (object.position) out.add("position", *object.position);
-    // The reader turns about x, then y, then z.
-    const Mat3 R = object.orientation.toRotationMatrix();
-    const Vec3 degrees =
-        Vec3(std::atan2(R(2, 1), R(2, 2)), std::asin(std::clamp(-R(2, 0), -1., 1.)),
-             std::atan2(R(1, 0), R(0, 0))) *
-        180 / std::numbers::pi;
-    if (!degrees.isZero(0)) out.add("rotation", degrees);
+    if (const Vec3 degrees = toDegrees(object.orientation); !degrees.isZero(0))
+        out.add("rotation", degrees);
     if (object.fixed) {
         out.add("fixed", true);
     } else {
