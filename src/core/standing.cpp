@@ -233,8 +233,10 @@ class Things {
                 }
     }
 
+    /// So sharp that what stands on an edge or a corner is within kStandingGap, and round enough
+    /// for what lies in another cell by kOverlapShare.
     static RoundedBox boxAtStart(const Body& body, const IVec3& cell) {
-        const double radius = kCellRoundness * body.cellSize.minCoeff();
+        const double radius = kStandingGap / 2 * body.cellSize.minCoeff();
         const Vec3 middle = cell.cast<double>() + Vec3::Constant(0.5);
         return {body.inWorld(middle.cwiseProduct(body.cellSize)), body.axes,
                 0.5 * body.cellSize - Vec3::Constant(radius), radius};

@@ -31,7 +31,7 @@ gl::ProgramDescription describe(DisplayPass::Output output, bool turned) {
             description.defines = {{"TRANSPARENT", "1"}};
             break;
         case Output::Captured:
-            description.feedback = {"position", "normal"};
+            description.feedback = {"position", "normal", "place"};
             break;
     }
     description.defines = gpu::withTurned(std::move(description.defines), turned);

@@ -36,7 +36,7 @@ class DisplayPass {
         Lines,        ///< one colour, for GL_LINE polygons
         Veil,         ///< of transparent materials, for the shadow map
         Transparent,  ///< inside Transparency::draw()
-        Captured,     ///< of every vertex `position` (m) and `normal`, six floats
+        Captured,     ///< of every vertex `position` (m), `normal` and `place` (m), nine floats
     };
     DisplayPass(Output, const gpu::WorldBuffers&, const DisplayBuffers&);
 

@@ -1,7 +1,9 @@
 // Bodies at rest sleep, on the solvers that let them (core/sleep.hpp).
 #include "core/sleep.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 
 #include "catch.hpp"
 #include "core/body_host.hpp"
@@ -73,6 +75,39 @@ TEST_CASE("a settled wall falls asleep, does not change by a bit, and a push wak
         }
         solver->setState(asleep);
         CHECK(!solver->asleep(1));
+    }
+}
+
+TEST_CASE("turned bodies that stand, lie and lie on each other fall asleep") {
+    Material material = brittle();
+    material.damping = 10;
+    material.friction = 1;
+    WorldDescription d = block({5, 4, 1}, material);
+    d.bodies[0].orientation = Eigen::AngleAxisd(0.5, Vec3::UnitY());
+    d.bodies[0].anchors = {Side::Bottom};
+    BodyDescription lies = d.bodies[0];
+    lies.anchors.clear();
+    lies.cells = {4, 3, 2};
+    lies.size = {0.4, 0.3, 0.2};
+    lies.position = {-2, 0.1, 0};
+    lies.orientation = Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX());
+    d.bodies.push_back(lies);
+    BodyDescription top = lies;
+    top.position = {-2, 0.3, 0.04};
+    top.orientation = Eigen::AngleAxisd(0.3, Vec3::UnitY()) * top.orientation;
+    d.bodies.push_back(top);
+    d.gravity = {0, -9.81, 0};
+    d.ground = d.contact = true;
+    const World world(d);
+    for (const SolverUnderTest& under : sleepers()) {
+        INFO(under.name);
+        const auto solver = under.make(world);
+        solver->advance(7500);  // 2.5 s
+        for (int body = 0; body < 3; ++body) {
+            CAPTURE(body);
+            CHECK(solver->asleep(body));
+        }
+        CHECK(diagnose(world, solver->state()).bondsBroken == 0);
     }
 }
 

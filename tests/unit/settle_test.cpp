@@ -1,8 +1,12 @@
 // How a world begins (cpu/settle.hpp).
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <numbers>
 
 #include "catch.hpp"
+#include "core/standing.hpp"
 #include "cpu/settle.hpp"
+#include "support/turned_worlds.hpp"
 #include "support/worlds.hpp"
 
 using namespace sunder;
@@ -32,6 +36,62 @@ TEST_CASE("a standing column sags by what its E says") {
     // Displacements may still change by 0.2 %; half a per cent of strain bends the straight line.
     CHECK(-lowest == Approx(expected).epsilon(0.02));
     for (const Vec3& v : state.velocity) CHECK(v == Vec3(0, 0, 0));
+}
+
+TEST_CASE("what is turned stands on what is turned otherwise") {
+    WorldDescription d = heavy({9, 2, 9});
+    d.contact = true;
+    BodyDescription block = d.bodies[0];
+    block.cells = {3, 2, 2};
+    block.size = {0.3, 0.2, 0.2};
+    const auto groups = [&](const Mat3& slab, const Mat3& top, const Vec3& position) {
+        d.bodies[0].orientation = slab;
+        block.orientation = top;
+        block.position = position;
+        d.bodies.resize(1, d.bodies[0]);
+        d.bodies.push_back(block);
+        const World world(d);
+        std::vector<std::vector<int>> bodies;
+        for (const StandingGroup& group : standingGroups(world, StandingQuery(world)))
+            bodies.push_back(group.bodies);
+        return bodies;
+    };
+    const auto about = [](double angle, const Vec3& axis) {
+        return Mat3(Eigen::AngleAxisd(angle, axis).toRotationMatrix());
+    };
+    const std::vector<std::vector<int>> both = {{0, 1}}, slab = {{0}};
+    const Mat3 little = about(0.2, Vec3::UnitY()), more = about(0.7, Vec3::UnitY());
+    // With the same axes, with others, upside down, and on its edge; on a slab that is turned.
+    CHECK(groups(little, little, {0.1, 0.2, 0}) == both);
+    CHECK(groups(little, more, {0.1, 0.2, 0}) == both);
+    CHECK(groups(little, more * about(std::numbers::pi, Vec3::UnitZ()), {0.1, 0.4, 0}) == both);
+    const double edge = 0.2 + 0.1 * std::sqrt(0.5);
+    CHECK(groups(little, more * about(std::numbers::pi / 4, Vec3::UnitX()), {0.1, edge, 0}) ==
+          both);
+    // In the air above it: half a cell, or a little beside it.
+    CHECK(groups(little, more, {0.1, 0.25, 0}) == slab);
+    CHECK(groups(little, little, {0.1, 0.25, 0}) == slab);
+    CHECK(groups(little, more, {0.8, 0.2, 0}) == slab);
+    CHECK(groups(little, little, little * Vec3(0.61, 0.2, 0)) == slab);
+    // Beside each other, face to face: neither stands on the other.
+    CHECK(groups(little, little, little * Vec3(0.6, 0.05, 0)) == slab);
+}
+
+TEST_CASE("a turned wall sags by its weight as an upright one does") {
+    WorldDescription d = heavy({4, 9, 2});
+    d.ground = false;
+    d.bodies[0].anchors = {Side::Bottom};
+    const World upright(d);
+    const Mat3 turn = Eigen::AngleAxisd(1, Vec3(2, -1, 2) / 3).toRotationMatrix();
+    const World world(turnedWorld(d, turn));
+    const cpu::Start expected = cpu::settledStart(upright), start = cpu::settledStart(world);
+    CHECK(start.restless.empty());
+    double lowest = 0;
+    for (const Vec3& u : expected.state.displacement) lowest = std::min(lowest, u[1]);
+    REQUIRE(lowest < -1e-3);
+    // Displacements may still change by 0.2 %.
+    CHECK(largestDifference(turnedState(start.state, turn.transpose()).displacement,
+                            expected.state.displacement) < -0.004 * lowest);
 }
 
 TEST_CASE("a body in mid-air begins as described") {

@@ -1,6 +1,7 @@
 // Where the viewer's camera is at first: far enough back for the wall to be seen, above the ground.
 #include "view/framing.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "catch.hpp"
@@ -20,8 +21,7 @@ double outermost(const World& world, const scene::CameraDescription& description
     for (const Body& body : world.bodies())
         for (int corner = 0; corner < 8; ++corner) {
             const Vec3 at(corner & 1, corner >> 1 & 1, corner >> 2);
-            const Vec3 size = body.cellSize.cwiseProduct(body.cells.cast<double>());
-            const Vec3 seen = camera.project(body.origin + at.cwiseProduct(size), aspect);
+            const Vec3 seen = camera.project(body.inWorld(at.cwiseProduct(body.size())), aspect);
             if (seen[2] <= 0) return 1e9;
             most = std::max({most, std::abs(seen[0]), std::abs(seen[1])});
         }
@@ -68,6 +68,12 @@ TEST_CASE("A wall nobody placed a camera for is seen whole", "[view]") {
         CHECK(out <= 1);
         CHECK(out > 0.9);  // and no smaller than that asks for
     }
+    // Turned, it is as long as it looks from there.
+    scene.world.bodies[0].orientation = Eigen::AngleAxisd(1.2, Vec3::UnitY());
+    const World turned(scene.world);
+    const double out = outermost(turned, framed(scene.camera, turned, 2, scene.ownCamera), 2);
+    CHECK(out <= 1);
+    CHECK(out > 0.9);
     // One that fits is where it was.
     const World wood(scene::loadScene("wood").world);
     CHECK(same(framed(scene.camera, wood, 16.0 / 9, false), scene.camera));

@@ -1,4 +1,5 @@
 // Parts of the viewer that need no window: picking, pushing, settings, names of files.
+#include <Eigen/Geometry>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -52,6 +53,30 @@ TEST_CASE("A ray finds the spot on the wall at rest", "[view]") {
         }
     CHECK_FALSE(picker.pick(state, Vec3(1.6, 1, 4), Vec3(0, 0, -1)));
     CHECK_FALSE(picker.pick(state, Vec3(0, 1, 4), Vec3(0, 0, 1)));  // behind
+}
+
+TEST_CASE("A ray finds the spot on a turned wall", "[view]") {
+    WorldDescription d = wall().description();
+    const Mat3 turn = Eigen::AngleAxisd(0.9, Vec3(2, 1, -2) / 3).toRotationMatrix();
+    d.bodies[0].orientation = turn;
+    d.ground = false;
+    const World world(d);
+    const surface::DisplayMesh mesh(world);
+    const Picker picker(world, mesh), upright(wall(), wallMesh());
+    const State state = world.initialState();
+    const Vec3 about = d.bodies[0].position;
+    for (const double x : {-1.4, -0.333, 0.0, 0.71, 1.49}) {
+        const Vec3 eye(x, 0.9, 4), ahead(0.1, 0, -1);
+        const auto spot =
+            picker.pick(state, about + turn * (eye - about), turn * ahead.normalized());
+        const auto other = upright.pick(wall().initialState(), eye, ahead.normalized());
+        REQUIRE(spot.has_value() == other.has_value());
+        if (!spot) continue;
+        CHECK(spot->cell == other->cell);
+        CHECK((spot->place - about - turn * (other->place - about)).norm() < 1e-4);
+    }
+    CHECK(picker.pick(state, about + turn * Vec3(0, 0.9, 4), turn * Vec3(0, 0, -1)));
+    CHECK_FALSE(picker.pick(state, about + turn * Vec3(1.6, 1, 4), turn * Vec3(0, 0, -1)));
 }
 
 TEST_CASE("A ray finds the wall where it has gone", "[view]") {
