@@ -31,6 +31,8 @@ void Contact::pick(int a, int b, bool neighbours, std::vector<Pair>& pairs) cons
     if (a > b) std::swap(a, b);
     const BodyContact &bodyA = bodies_[bodyOf_[a]], &bodyB = bodies_[bodyOf_[b]];
     if (!bodyA.status.awake && !bodyB.status.awake) return;
+    // Candidates may be from when the body's cells could touch each other.
+    if (!neighbours && bodyOf_[a] == bodyOf_[b] && !bodyA.self) return;
     std::array<float, 3> apart, closing;
     for (int axis = 0; axis < 3; ++axis) {
         apart[axis] = (rest_[axis][a] - rest_[axis][b]) + (moved_[axis][a] - moved_[axis][b]);

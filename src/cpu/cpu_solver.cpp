@@ -72,9 +72,9 @@ void CpuSolver::advance(int steps) {
             for (const Throw& thrown : world_.throws())
                 if (thrown.step > step_) next = std::min(next, thrown.step);
             startThrows();
-            wakePushed(next);
+            const bool woke = wakePushed(next);
             if (step_ % runner.restInterval == 0) rest();
-            if (runner.contact->due() || step_ % kContactInterval == 0 ||
+            if (woke || runner.contact->due() || step_ % kContactInterval == 0 ||
                 (runner.objects && runner.objects->searchDue()))
                 searchContacts();
             advanceTo(next, true);
@@ -274,10 +274,14 @@ void CpuSolver::startThrows() {
     runner.objects->startStep(step_);
 }
 
-void CpuSolver::wakePushed(std::int64_t until) {
-    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
-        if (bodies_[body]->asleep() && bodies_[body]->pushedWithin(step_, until))
-            wake(memberOfBody(body));
+bool CpuSolver::wakePushed(std::int64_t until) {
+    bool woke = false;
+    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
+        if (!bodies_[body]->asleep() || !bodies_[body]->pushedWithin(step_, until)) continue;
+        wake(memberOfBody(body));
+        woke = true;
+    }
+    return woke;
 }
 
 void CpuSolver::wake(int member) {

@@ -64,7 +64,8 @@ class CpuSolver : public core::Solver, public core::BodyHost {
     void rest();
     /// Wakes a body or an object and what sleeps with it (core/rest_islands.hpp).
     void wake(int member);
-    void wakePushed(std::int64_t until);
+    /// What an event pushes before step number `until`; whether anything did wake.
+    bool wakePushed(std::int64_t until);
     void startThrows();
     void setObjects(const core::State& state);
     void findIslands();
