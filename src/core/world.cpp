@@ -66,6 +66,7 @@ World::World(WorldDescription description) : description_(std::move(description)
     makeEvents();
     makeObjects();
     findUnequalCells();
+    fingerprint_ = findFingerprint();
 }
 
 const Material& World::materialOf(int cell) const {

@@ -113,6 +113,10 @@ class World {
 
     State initialState() const;
 
+    /// 64-bit FNV-1a of all that states and their future depend on: worlds of the same description
+    /// have the same one on every machine.
+    std::uint64_t fingerprint() const { return fingerprint_; }
+
     /// What an event means in this world whose `time` counts from `now`, s. Throws InputError for
     /// what checkEvent() refuses (core/check.hpp), and where it could push nothing.
     Event makeEvent(EventDescription, double now = 0) const;
@@ -130,6 +134,7 @@ class World {
     void findOverlaps();
     void findUnequalCells();
     int lawFor(int material, const Vec3& cellSize);
+    std::uint64_t findFingerprint() const;
 
     WorldDescription description_;
     std::vector<Body> bodies_;
@@ -146,6 +151,7 @@ class World {
     int presentCells_ = 0;
     bool unequalCells_ = false;
     int bondCount_ = 0;
+    std::uint64_t fingerprint_ = 0;
 };
 
 }  // namespace sunder::core
