@@ -4,6 +4,8 @@
 #include <chrono>
 #include <numeric>
 
+#include "core/archive.hpp"
+
 namespace sunder::balance {
 
 using namespace core;
@@ -88,6 +90,18 @@ void BalancedSolver::setState(const State& state) {
     gather_.setState(state);
     cpu_.setState(state);
     scratch_.step = state.step;
+}
+
+void BalancedSolver::archive(Archive& a) {
+    a.section("step");
+    State now = a.writes() ? state() : world_.initialState();
+    now.step = a.step(now.step);
+    a.section("pushes");
+    a.list(now.pushes, kMaxPushes, [&](Event& event) { core::archive(a, world_, event); });
+    archiveCells<float>(a, world_, now);
+    a.section("objects");
+    for (ObjectState& object : now.objects) core::archive(a, object);
+    if (a.reads()) setState(now);
 }
 
 bool BalancedSolver::asleep(int body) const {

@@ -24,6 +24,8 @@ class BalancedSolver : public gpu::GpuSolver {
     void finish() override { gather_.finish(); }
     core::State state() const override;
     void setState(const core::State& state) override;
+    /// The state alone, as setState() takes it: who has what and how fast is this machine's own.
+    void archive(core::Archive& archive) override;
     void push(const core::Event& event) override {
         gather_.push(event);
         cpu_.push(event);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/archive.hpp"
 #include "core/sleep.hpp"
 #include "core/world.hpp"
 
@@ -40,7 +41,8 @@ bool insidePatch(const Event& event, const Eigen::Vector3f& rest) {
 }
 
 EventSchedule::EventSchedule(const World& world)
-    : events_(world.events()),
+    : world_(world),
+      events_(world.events()),
       ofWorld_(world.events().size()),
       byBody_(world.bodies().size()),
       memory_(sleepSteps(world)) {
@@ -74,6 +76,13 @@ std::vector<Event> EventSchedule::added(std::int64_t now) const {
                  std::back_inserter(later),
                  [now](const Event& event) { return !event.hasEnded(now); });
     return later;
+}
+
+void EventSchedule::archive(Archive& a, std::int64_t now) {
+    a.section("pushes");
+    std::vector<Event> events = a.writes() ? added(now - memory_) : std::vector<Event>();
+    a.list(events, kMaxPushes, [&](Event& event) { core::archive(a, world_, event); });
+    if (a.reads()) setAdded(events);
 }
 
 std::int64_t EventSchedule::nextPush(int body, std::int64_t from) const {

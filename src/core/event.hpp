@@ -7,6 +7,7 @@
 
 namespace sunder::core {
 
+class Archive;
 class World;
 
 /// An event that pushes what its ball holds of every body.
@@ -45,6 +46,7 @@ bool insidePatch(const Event&, const Eigen::Vector3f& rest);
 /// The events that a solver plays: its world's, and those it was given while time ran.
 class EventSchedule {
   public:
+    /// `world` must outlive it.
     explicit EventSchedule(const World& world);
 
     /// Adds one that comes after all others. Those that ended long before step `now`, and were
@@ -54,6 +56,9 @@ class EventSchedule {
     void setAdded(const std::vector<Event>& events);
     /// Added ones that have not ended by `now`, in the order in which they came.
     std::vector<Event> added(std::int64_t now) const;
+
+    /// Those that were added, as far as a solver at step `now` may ask for them.
+    void archive(Archive& archive, std::int64_t now);
 
     /// In the order in which they add up: the world's by body and as described, then the others.
     const std::vector<Event>& all() const { return events_; }
@@ -74,6 +79,7 @@ class EventSchedule {
     void list(int index);
     std::int64_t next(const std::vector<int>& events, std::int64_t from) const;
 
+    const World& world_;
     std::vector<Event> events_;
     std::size_t ofWorld_;  ///< how many of them are the world's
     std::vector<std::vector<int>> byBody_;

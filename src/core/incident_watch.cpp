@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/archive.hpp"
+
 namespace sunder::core {
 
 IncidentWatch::IncidentWatch(const World& world, IncidentRing& ring)
@@ -21,6 +23,49 @@ void IncidentWatch::push(int cell, double impulse, double hardest, int other, in
 void IncidentWatch::forget() {
     broken_.clear();
     std::fill(loads_.begin(), loads_.end(), Load{});
+}
+
+void IncidentWatch::archive(Archive& a, const World& world, IncidentWatch* watch) {
+    a.section("incidents");
+    const bool watched = a.flag(watch != nullptr);
+    if (!watched) {
+        if (a.reads() && watch) watch->forget();
+        return;
+    }
+    // Most cells were not pushed.
+    struct Pushed {
+        int cell;
+        Load load;
+    };
+    std::vector<Pushed> pushed;
+    std::vector<int> broken;
+    if (a.writes()) {
+        broken = watch->broken_;
+        for (int cell = 0; cell < static_cast<int>(watch->loads_.size()); ++cell) {
+            const Load& load = watch->loads_[cell];
+            if (load.now != 0 || load.before != 0 || load.earlier != 0)
+                pushed.push_back({cell, load});
+        }
+    }
+    a.list(broken, static_cast<std::size_t>(world.bondSlots()),
+           [&](int& bond) { bond = archiveBond(a, world, bond); });
+    const auto cell = [&](int now, int low) {
+        const int got = a.whole(now, low, world.cellCount() - 1);
+        a.require(a.writes() || got < 0 || world.present(got));
+        return got;
+    };
+    a.list(pushed, static_cast<std::size_t>(world.cellCount()), [&](Pushed& p) {
+        p.cell = cell(p.cell, 0);
+        for (double* impulse : {&p.load.now, &p.load.before, &p.load.earlier, &p.load.hardest})
+            *impulse = a.real(*impulse, 0.);
+        p.load.other = cell(p.load.other, -1);
+        p.load.object = a.whole(p.load.object, -1, static_cast<int>(world.objects().size()) - 1);
+    });
+    if (!a.reads() || !watch) return;
+    watch->forget();
+    watch->broken_ = std::move(broken);
+    for (const Pushed& p : pushed)
+        if (!watch->loads_.empty()) watch->loads_[p.cell] = p.load;
 }
 
 void IncidentWatch::look(std::int64_t step, const std::function<Vec3(int node)>& place) {

@@ -6,6 +6,8 @@
 
 namespace sunder::core {
 
+class Archive;
+
 /// Collects incidents for a solver on the CPU and hands them over at every look, by cell: first its
 /// breaks, then its contact.
 class IncidentWatch {
@@ -18,6 +20,9 @@ class IncidentWatch {
     void broke(int bond) { broken_.push_back(bond); }
     /// The state was set: what happened before does not count.
     void forget();
+    /// What happened since the last look, and what that compares with. watch: null where nobody
+    /// looks: what was saved of one is left out, and one that nothing was saved of forgets.
+    static void archive(Archive& archive, const World& world, IncidentWatch* watch);
 
     /// Whether a look is due when `step` steps are done.
     bool due(std::int64_t step) const { return step % interval_ == 0; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/archive.hpp"
 #include "core/object_contact.hpp"
 
 namespace sunder::core {
@@ -81,6 +82,18 @@ std::vector<int> RestIslands::wake(int member) {
         woken.push_back(i);
     }
     return woken;
+}
+
+void RestIslands::archive(Archive& a, const std::function<bool(int member)>& maySleep) {
+    a.section("sleepers");
+    RestIslands now = *this;
+    now.next_ = a.whole(next_, 0, 1 << 30);
+    for (int member = 0; member < static_cast<int>(island_.size()); ++member) {
+        int& island = now.island_[member];
+        island = a.whole(island, kAwake, std::max(0, now.next_ - 1));
+        a.require(island == kAwake || maySleep(member));
+    }
+    if (a.reads()) *this = std::move(now);
 }
 
 double restReach(const Body& body) {

@@ -7,6 +7,8 @@
 
 namespace sunder::core {
 
+class Archive;
+
 /// Bodies and objects of a world in one numbering: its bodies, then its objects.
 inline int memberOfBody(int body) {
     return body;
@@ -34,6 +36,8 @@ class RestIslands {
     /// Wakes a member: those that sleep with it, ascending, itself among them; none where it is
     /// awake.
     std::vector<int> wake(int member);
+    /// maySleep(member): whether it may be asleep.
+    void archive(Archive& archive, const std::function<bool(int member)>& maySleep);
     void wakeAll() { island_.assign(island_.size(), kAwake); }
     bool asleep(int member) const { return island_[member] != kAwake; }
 

@@ -8,6 +8,7 @@
 
 namespace sunder::core {
 
+class Archive;
 class IncidentRing;
 
 /// Is told what the passes of a step wrote, as far as Solver::state() does not show it: forces,
@@ -30,8 +31,10 @@ class Solver {
     /// Returns once everything that advance() started is done.
     virtual void finish() {}
     virtual State state() const = 0;
-    /// `state` must come from the same world.
+    /// `state` must come from the same world. Everything wakes.
     virtual void setState(const State& state) = 0;
+    /// All that it knows (core/saved_state.hpp), once finish() was called.
+    virtual void archive(Archive& archive) = 0;
     /// From the next step on this event acts, too, as if the world's description had had it
     /// (World::makeEvent()): the same bits follow. It must not begin before the step that the
     /// solver is at. What sleeps in its reach wakes when it begins. Nothing is read back, and

@@ -10,6 +10,12 @@ namespace sunder::cpu {
 
 using namespace core;
 
+namespace {
+
+constexpr int kMostCalmSteps = 1 << 30;
+
+}  // namespace
+
 BodyRun::BodyRun(const World& world, int index, const std::vector<Law>& laws,
                  const EventSchedule& events)
     : world_(world), events_(events), storage_(world, index, laws), news_(kMaxParts) {
@@ -318,6 +324,52 @@ void BodyRun::load(const State& state) {
 
 void BodyRun::store(State& state) const {
     exchange(state, [](float mine, double& theirs) { theirs = mine; });
+}
+
+/// Tiles as they are, with their padding, whose speed counts, too, where a room pushes it.
+void BodyRun::archive(Archive& a, bool listed) {
+    BodyArrays& body = storage_.arrays();
+    const auto cells = static_cast<std::size_t>(body.cells),
+               components = static_cast<std::size_t>(kNodeComponents * kLanes * body.vectors);
+    a.section("nodes");
+    a.reals(std::span(body.displacement, components));
+    a.reals(std::span(body.velocity, components));
+    a.section("bonds");
+    for (int axis = 0; axis < kBondsPerCell; ++axis) {
+        float* damage = body.damage + axis * body.stride;
+        for (std::size_t i = 0; i < cells; ++i) {
+            if (damage[i] == static_cast<float>(kNoBond)) continue;
+            const float got = a.real(damage[i], 0.f, 1.f);
+            if (a.reads()) damage[i] = got;
+        }
+        a.reals(std::span(body.slow + axis * body.stride, cells));
+    }
+    if (body.slowStress) a.reals(std::span(body.slowStress, cells));
+    a.section("sleep");
+    const bool asleep = a.flag(asleep_);
+    const int calmSteps = a.whole(calmSteps_, 0, kMostCalmSteps);
+    float fastest = 0;  // since the last check
+    for (const PartNews& news : news_) fastest = std::max(fastest, news.fastest);
+    fastest = a.real(fastest, 0.f);
+    std::vector<int> broken = broken_;
+    if (listed) {
+        const Body& of = world_.bodies()[body.index];
+        a.list(broken, static_cast<std::size_t>(world_.bondSlots()), [&](int& bond) {
+            bond = archiveBond(a, world_, bond);
+            a.require(of.firstCell <= bond / kBondsPerCell &&
+                      bond / kBondsPerCell < of.firstCell + of.cellCount());
+        });
+    }
+    if (!a.reads()) return;
+    relinkAll(world_, body);
+    ++relinks_;
+    asleep_ = asleep;
+    calmSteps_ = calmSteps;
+    touching_ = false;
+    std::fill(news_.begin(), news_.end(), PartNews{});
+    news_.front().fastest = fastest;
+    broken_.clear();
+    if (listed && listBreaks_) broken_ = std::move(broken);
 }
 
 }  // namespace sunder::cpu

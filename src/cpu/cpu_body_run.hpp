@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/archive.hpp"
 #include "core/rest_islands.hpp"
 #include "core/sleep.hpp"
 #include "cpu/cpu_body.hpp"
@@ -55,6 +56,8 @@ class BodyRun {
 
     void load(const core::State& state);
     void store(core::State& state) const;
+    /// What it keeps between two steps. listed: whether breaks are, which are archived then.
+    void archive(core::Archive& archive, bool listed);
     bool asleep() const { return asleep_; }
     /// Whether it has been calm for long enough to sleep.
     bool ready() const { return calmSteps_ >= sleepSteps_; }

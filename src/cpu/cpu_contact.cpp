@@ -138,10 +138,56 @@ void Contact::rest() {
     active_.clear();
     tiles_.clear();
     islands_.clear();
+    for (auto& pairs : picked_) pairs.clear();
     for (BodyContact& body : bodies_) {
         body.touching = body.hit = false;
         body.tiles = body.cells = {};
     }
+}
+
+void Contact::archivePair(Archive& a, Pair& pair) const {
+    const int count = static_cast<int>(there_.size());
+    pair.a = a.whole(pair.a, 0, count - 1);
+    pair.b = a.whole(pair.b, pair.a, count - 1);
+    a.require(there_[pair.a] && there_[pair.b] && cellOf_[pair.a] != cellOf_[pair.b]);
+    const auto bits =
+        a.whole<std::uint8_t>(static_cast<std::uint8_t>(pair.neighbours | pair.crowds << 1), 0, 3);
+    pair.neighbours = bits & 1;
+    pair.crowds = bits >> 1;
+}
+
+void Contact::archive(Archive& a, const std::vector<bool>& held, const ForEach& forEach) {
+    a.section("contacts");
+    const bool due = a.flag(due_);
+    std::vector<bool> awake;
+    for (const BodyContact& body : bodies_) awake.push_back(a.flag(body.status.awake));
+    std::vector<Pair> all;
+    if (a.writes()) {
+        for (const auto& pairs : picked_) all.insert(all.end(), pairs.begin(), pairs.end());
+        // The order they were found in depends on the candidates, and nothing on it.
+        std::sort(all.begin(), all.end(), [](const Pair& first, const Pair& second) {
+            return std::pair(first.a, first.b) < std::pair(second.a, second.b);
+        });
+    }
+    const auto most = std::numeric_limits<int>::max() / 4;  // two entries for each
+    a.list(all, static_cast<std::size_t>(most), [&](Pair& pair) {
+        archivePair(a, pair);
+        const int bodyA = bodyOf_[pair.a], bodyB = bodyOf_[pair.b];
+        a.require(due || (held[bodyA] && held[bodyB] && (awake[bodyA] || awake[bodyB])));
+    });
+    if (!a.reads()) return;
+    due_ = due;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        BodyContact& body = bodies_[i];
+        body.status = {held[i], awake[i], 0};
+        body.relink = true;
+        body.settled = body.inGrid = body.selfInGrid = false;
+    }
+    candidates_.clear();
+    picked_.assign(1, std::move(all));
+    measureBodies(forEach);
+    listPairs();
+    findIslands();
 }
 
 /// Centres and velocities of a tile's spheres of one number.

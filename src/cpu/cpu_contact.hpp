@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/archive.hpp"
 #include "core/contact.hpp"
 #include "core/incident_watch.hpp"
 #include "cpu/cpu_body.hpp"
@@ -48,6 +49,10 @@ class Contact {
     bool due() const { return due_; }
     /// No body is awake.
     void rest();
+    /// The pairs that the last search found, and where their spheres are, which follows from the
+    /// bodies' arrays: those are to be what they were. Candidates are found anew. A body that slept
+    /// at the last search sleeps still, or another one is due.
+    void archive(core::Archive& archive, const std::vector<bool>& held, const ForEach& forEach);
 
     /// Whether the body has a listed pair.
     bool touching(int body) const { return bodies_[body].touching; }
@@ -161,6 +166,7 @@ class Contact {
     void findCandidates(const ForEach& forEach);
     void pickPairs(const ForEach& forEach);
     void pick(int a, int b, bool neighbours, std::vector<Pair>& pairs) const;
+    void archivePair(core::Archive& archive, Pair& pair) const;
     void listPairs();
     void listActive();
     void findIslands();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/archive.hpp"
 #include "core/incident.hpp"
 #include "cpu/cpu_runner.hpp"
 
@@ -364,6 +365,57 @@ void CpuSolver::setState(const State& state) {
     if (runner_->rest) runner_->rest->wakeAll();
     if (runner_->objects) runner_->objects->set(state.objects);
     if (runner_->watch) runner_->watch->forget();
+}
+
+void CpuSolver::archive(Archive& a) {
+    a.section("step");
+    const std::int64_t step = a.step(step_);
+    events_.archive(a, step);
+    Runner& runner = *runner_;
+    a.section("looks");
+    const bool watched = a.flag(runner.watch != nullptr);
+    for (const auto& run : bodies_) run->archive(a, watched);
+    IncidentWatch::archive(a, world_, runner.watch.get());
+    if (a.reads()) {
+        step_ = step;
+        for (const auto& run : bodies_) run->setAddedPatches(events_.added(step), step);
+    }
+    if (runner.contact) archiveTouching(a);
+}
+
+/// Whether it can fall asleep at all.
+bool CpuSolver::mayRest(int member) const {
+    const int object = member - memberOfObject(world_, 0);
+    return object < 0 ? bodies_[member]->held : world_.objects()[object].inverseMass > 0;
+}
+
+void CpuSolver::archiveTouching(Archive& a) {
+    Runner& runner = *runner_;
+    runner.rest->archive(a, [this](int member) { return mayRest(member); });
+    if (a.reads())
+        for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
+            BodyRun& run = *bodies_[body];
+            const bool asleep = runner.rest->asleep(memberOfBody(body));
+            if (asleep && !run.asleep()) run.fallAsleep();
+            if (!asleep && run.asleep()) run.wake();
+        }
+    std::vector<bool> held;
+    for (const auto& run : bodies_) held.push_back(run->held);
+    runner.inArena([&] {
+        runner.contact->archive(a, held, [&](int count, const std::function<void(int)>& work) {
+            runner.forEach(count, work);
+        });
+    });
+    if (runner.objects) runner.objects->archive(a);
+    if (!a.reads()) return;
+    for (int object = 0; object < static_cast<int>(world_.objects().size()); ++object)
+        if (runner.rest->asleep(memberOfObject(world_, object))) runner.objects->fallAsleep(object);
+    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
+        runner.touching[body] =
+            runner.contact->touching(body) || (runner.objects && runner.objects->near(body));
+        bodies_[body]->setTouching(runner.touching[body]);
+    }
+    findIslands();
 }
 
 void CpuSolver::setIncidents(IncidentRing* ring) {

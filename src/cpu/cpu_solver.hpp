@@ -22,6 +22,7 @@ class CpuSolver : public core::Solver, public core::BodyHost {
     void advance(int steps) override;
     core::State state() const override;
     void setState(const core::State& state) override;
+    void archive(core::Archive& archive) override;
     void push(const core::Event& event) override;
     void putObject(int object, const core::ObjectState& state) override;
     bool asleep(int body) const override;
@@ -67,6 +68,8 @@ class CpuSolver : public core::Solver, public core::BodyHost {
     /// What an event pushes before step number `until`; whether anything did wake.
     bool wakePushed(std::int64_t until);
     void startThrows();
+    bool mayRest(int member) const;
+    void archiveTouching(core::Archive& archive);
     void setObjects(const core::State& state);
     void findIslands();
     void lookForIncidents();

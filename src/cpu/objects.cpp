@@ -54,6 +54,35 @@ void Objects::set(const std::vector<ObjectState>& states) {
     std::fill(rests_.begin(), rests_.end(), Rest{});
 }
 
+void Objects::archive(Archive& a) {
+    a.section("objects");
+    std::vector<ObjectState> states = states_;
+    for (ObjectState& state : states) core::archive(a, state);
+    std::vector<Rest> rests = rests_;
+    for (Rest& rest : rests) {
+        rest.unrest.fastest = a.real(rest.unrest.fastest, 0.);
+        rest.unrest.touched = a.flag(rest.unrest.touched);
+        rest.unrest.hung = a.flag(rest.unrest.hung);
+        rest.calmSteps = a.whole(rest.calmSteps, 0, 1 << 30);
+    }
+    const bool searchDue = a.flag(searchDue_);
+    std::vector<Candidate> candidates = candidates_;
+    const auto most = states.size() * static_cast<std::size_t>(world_.cellCount());
+    a.list(candidates, most, [&](Candidate& candidate) {
+        candidate.cell = a.whole(candidate.cell, 0, world_.cellCount() - 1);
+        candidate.object = a.whole(candidate.object, 0, static_cast<int>(states.size()) - 1);
+        a.require(world_.present(candidate.cell));
+    });
+    if (!a.reads()) return;
+    states_ = std::move(states);
+    rests_ = std::move(rests);
+    std::fill(asleep_.begin(), asleep_.end(), false);
+    searchDue_ = searchDue;
+    candidates_ = std::move(candidates);
+    std::fill(near_.begin(), near_.end(), false);
+    for (const Candidate& candidate : candidates_) near_[world_.bodyOf(candidate.cell)] = true;
+}
+
 void Objects::scaleVelocities(double factor) {
     for (int object = 0; object < static_cast<int>(states_.size()); ++object) {
         wake(object);

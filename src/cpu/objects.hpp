@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/archive.hpp"
 #include "core/incident_watch.hpp"
 #include "core/object_contact.hpp"
 #include "core/rest_islands.hpp"
@@ -42,6 +43,9 @@ class Objects {
     void scaleVelocities(double factor);
     /// Gets to know what is pushed; null: nobody does.
     void setWatch(core::IncidentWatch* watch) { watch_ = watch; }
+
+    /// States, what the last search found, and how calm they are. All of them are awake then.
+    void archive(core::Archive& archive);
 
     /// Objects that step number `step` begins with are thrown.
     void startStep(std::int64_t step);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/archive.hpp"
 #include "core/links.hpp"
 #include "core/tetrahedra.hpp"
 
@@ -98,6 +99,24 @@ void ReferenceSolver::setState(const State& state) {
     updateLinks();
     searchDue_ = true;
     if (watch_) watch_->forget();
+}
+
+void ReferenceSolver::archive(Archive& a) {
+    a.section("step");
+    State now = state();
+    now.step = a.step(state_.step);
+    a.section("pushes");
+    a.list(now.pushes, kMaxPushes, [&](Event& event) { core::archive(a, world_, event); });
+    archiveCells<double>(a, world_, now);
+    IncidentWatch::archive(a, world_, watch_.get());
+    a.section("searches");
+    const bool searchDue = a.flag(searchDue_);
+    if (contact_) contact_->archive(a);
+    if (objects_) objects_->archive(a);
+    if (!a.reads()) return;
+    state_ = std::move(now);
+    updateLinks();
+    searchDue_ = searchDue;
 }
 
 void ReferenceSolver::push(const Event& event) {

@@ -23,6 +23,7 @@ class ReferenceSolver : public core::Solver {
     void advance(int steps) override;
     core::State state() const override;
     void setState(const core::State& state) override;
+    void archive(core::Archive& archive) override;
     void push(const core::Event& event) override;
     void putObject(int object, const core::ObjectState& state) override;
     void setIncidents(core::IncidentRing* ring) override;

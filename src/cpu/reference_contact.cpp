@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "core/archive.hpp"
 
 namespace sunder::cpu {
 
@@ -88,8 +91,34 @@ void ReferenceContact::search(const State& state, const std::vector<std::uint8_t
             }
         }
     std::sort(pairs_.begin(), pairs_.end());
+    listCells();
+}
+
+void ReferenceContact::listCells() {
     listed_.assign(static_cast<std::size_t>(world_.cellCount()), false);
     for (const Pair& pair : pairs_) listed_[pair.cellA] = listed_[pair.cellB] = true;
+}
+
+void ReferenceContact::archive(Archive& a) {
+    a.section("contacts");
+    const auto sphere = [&](int& cell, int& number) {
+        cell = a.whole(cell, 0, world_.cellCount() - 1);
+        a.require(world_.present(cell));
+        number = a.whole(number, 0, proxyOf(cell).spheres() - 1);
+    };
+    std::vector<Pair> pairs = pairs_;
+    a.list(pairs, std::numeric_limits<int>::max(), [&](Pair& pair) {
+        sphere(pair.cellA, pair.sphereA);
+        sphere(pair.cellB, pair.sphereB);
+        a.require(pair.cellA < pair.cellB);
+        pair.neighbours = a.flag(pair.neighbours);
+    });
+    std::vector<int> crowd = crowd_;
+    for (int& count : crowd) count = a.whole(count, 0, 1 << 30);
+    if (!a.reads()) return;
+    pairs_ = std::move(pairs);
+    crowd_ = std::move(crowd);
+    listCells();
 }
 
 ReferenceContact::FreeSphere ReferenceContact::freeSphere(int cell, int number,

@@ -12,6 +12,8 @@ class ReferenceContact {
 
     /// `links`: linkMask() per node, as the bonds of `state` are.
     void search(const core::State& state, const std::vector<std::uint8_t>& links);
+    /// What the last search found.
+    void archive(core::Archive& archive);
     /// What a node would do; an anchored one does nothing.
     struct FreeNode {
         core::Vec3 acceleration{0, 0, 0};  ///< m/s², without contact
@@ -55,6 +57,8 @@ class ReferenceContact {
         return 0.5 * (of(cellA) + of(cellB));
     }
     double dampingOf(int cell) const { return world_.laws()[world_.lawOf(cell)].contactDamping; }
+
+    void listCells();
 
     const core::World& world_;
     std::vector<core::ContactProxy> proxies_;                               ///< per body

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/archive.hpp"
 #include "core/world.hpp"
 #include "gl/timer.hpp"
 #include "gpu/pass_timer.hpp"
@@ -33,6 +34,9 @@ class ContactPass {
     /// there are too many spheres.
     ContactPass(const core::World& world, int columns, Storage storage);
 
+    /// A cell has so many bits' worth of spheres: as many as any has, rounded up to a power of two.
+    static int sphereBits(const core::World& world);
+
     /// awake: cells whose partners are looked for; held: those that can be touched. As
     /// forget().
     void setCells(std::span<const TexelRange> awake, std::span<const TexelRange> held);
@@ -45,6 +49,10 @@ class ContactPass {
     void push(const TexelTarget& corners);
     /// Works out what pushes each sphere that has partners, for glsl/contact/corner_forces.glsl.
     void push();
+
+    /// What the last search found, and haste, in either direction; waits for the GPU. To be read
+    /// once setCells() has been told all, with nodes and the world's buffers bound.
+    void archive(core::Archive& archive);
 
     /// For passes of others with a texel per sphere: a target, a program for one, and running it on
     /// the spheres of awake cells, where any may touch something.
@@ -76,6 +84,24 @@ class ContactPass {
     void keepHaste() const;
     void fillGrid();
     void drawHeld(const gl::Program& program) const;
+    /// What a sphere has found.
+    struct Found {
+        int sphere;
+        float close, leftOut, touched;  ///< glsl/contact/search.frag
+        std::vector<float> partners;
+    };
+    std::vector<Found> readFound() const;
+    void writeFound(const std::vector<Found>& found);
+    void archive(core::Archive& archive, Found& found) const;
+    /// Where a sphere was at the last search.
+    struct Place {
+        int sphere;
+        vec4 centre, velocity;
+    };
+    std::vector<Place> readStill(const std::vector<Found>& found) const;
+    void writePlaces(const std::vector<Place>& still, bool anyExposed);
+    void archiveHaste(core::Archive& archive);
+    int archiveSphere(core::Archive& archive, int now) const;
 
     const core::World& world_;
     int columns_;     ///< of what has a texel per cell

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/archive.hpp"
 #include "core/sleep.hpp"
 #include "gpu/observed_pass.hpp"
 
@@ -132,6 +133,116 @@ void GatherSolver::setState(const State& state) {
     bodiesChanged();
     bindInputs();
     updateLinks();
+}
+
+void GatherSolver::archive(Archive& a) {
+    a.section("step");
+    const std::int64_t step = a.step(step_);
+    events_.schedule().archive(a, step);
+    archiveCells(a);
+    islands_.archive(a, [this](int member) { return mayRest(member); });
+    monitor_.archive(a);
+    archiveLooks(a);
+    if (a.reads()) {
+        step_ = step;
+        follow();
+    }
+    if (contact_) contact_->archive(a);
+    if (objects_)
+        objects_->archive(
+            a, [this](int object) { return islands_.asleep(memberOfObject(world_, object)); });
+    if (a.reads() && incidents_) {
+        incidents_->finish();
+        incidents_->forget();
+        bonds_[currentBonds_].copy(0, incidents_->known());
+    }
+    IncidentPass::archive(a, world_, incidents_ ? &*incidents_ : nullptr);
+}
+
+/// Both halves of the ping-pong get the same: what sleeps is to be the same in both, and what is
+/// awake is written before it is read.
+void GatherSolver::archiveCells(Archive& a) {
+    const TexelRange every{0, world_.cellCount()};
+    const auto count = static_cast<std::size_t>(every.end);
+    std::vector<vec4> first(count), second(count);
+    std::vector<float> numbers(7 * count);
+    const auto readBoth = [&](const TexelTarget& from, int layer) {
+        if (!a.writes()) return;
+        first = from.read(layer, every);
+        second = from.read(layer + 1, every);
+    };
+    const auto writeBoth = [&](std::array<TexelTarget, 2>& to, int layer) {
+        for (TexelTarget& half : to) {
+            half.write(layer, 0, first);
+            half.write(layer + 1, 0, second);
+        }
+    };
+    a.section("nodes");
+    for (int corner = 0; corner < kCorners; ++corner) {
+        readBoth(nodes_[currentNodes_], 2 * corner);
+        for (std::size_t i = 0; i < count; ++i) {
+            float* to = &numbers[7 * i];
+            for (int axis = 0; axis < 3; ++axis) to[axis] = first[i][axis];
+            for (int k = 0; k < 4; ++k) to[3 + k] = second[i][k];
+        }
+        a.reals(std::span(numbers));
+        if (!a.reads()) continue;
+        for (std::size_t i = 0; i < count; ++i) {
+            const float* from = &numbers[7 * i];
+            const int node = kCorners * static_cast<int>(i) + corner;
+            first[i] = {from[0], from[1], from[2],
+                        static_cast<float>(world_.restPosition(node)[1])};
+            second[i] = {from[3], from[4], from[5], from[6]};
+        }
+        writeBoth(nodes_, 2 * corner);
+    }
+    a.section("bonds");
+    readBoth(bonds_[currentBonds_], 0);
+    for (std::size_t i = 0; i < count; ++i) {
+        for (int axis = 0; axis < kBondsPerCell; ++axis) {
+            float& damage = first[i][axis];
+            if (isBond(world_, kBondsPerCell * static_cast<int>(i) + axis))
+                damage = a.real(damage, 0.f, 1.f);
+            else
+                damage = static_cast<float>(kNoBond);
+        }
+        first[i].w = a.flag(first[i].w > 0) ? 1.f : 0.f;
+        for (int k = 0; k < 4; ++k) second[i][k] = a.real(second[i][k]);
+    }
+    if (a.reads()) writeBoth(bonds_, 0);
+}
+
+void GatherSolver::archiveLooks(Archive& a) {
+    a.section("looks");
+    const bool newNodeWatch = a.flag(newNodeWatch_), newBondWatch = a.flag(newBondWatch_),
+               stirred = a.flag(stirred_);
+    const auto dropped = a.whole<std::int64_t>(droppedContacts_, 0, Archive::kLastStep);
+    std::vector<double> haste = contactHaste_;
+    a.list(haste, bodies_.size(), [&](double& x) { x = a.real(x, 0.); });
+    if (!a.reads()) return;
+    newNodeWatch_ = newNodeWatch;
+    newBondWatch_ = newBondWatch;
+    stirred_ = stirred;
+    droppedContacts_ = dropped;
+    contactHaste_ = std::move(haste);
+}
+
+bool GatherSolver::mayRest(int member) const {
+    const int object = member - memberOfObject(world_, 0);
+    return object < 0 ? holds(member) : world_.objects()[object].inverseMass > 0;
+}
+
+void GatherSolver::follow() {
+    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
+        if (holds(body))
+            bodies_[body] =
+                islands_.asleep(memberOfBody(body)) ? BodyState::Asleep : BodyState::Awake;
+    bodiesChanged();
+    bindInputs();
+    const TexelRange every{0, world_.cellCount()};
+    TexelRanges cells(1, "all cells");
+    cells.set({&every, 1}, columns_);
+    links_.fill(linkProgram_, cells);
 }
 
 void GatherSolver::adopt(const std::vector<int>& bodies, const State& state) {

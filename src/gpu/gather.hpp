@@ -36,6 +36,7 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     void finish() override;
     core::State state() const override;
     void setState(const core::State& state) override;
+    void archive(core::Archive& archive) override;
     void push(const core::Event& event) override;
     void putObject(int object, const core::ObjectState& state) override;
     bool asleep(int body) const override { return bodies_[body] == BodyState::Asleep; }
@@ -73,6 +74,12 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     void bindInputs() const;
     void write(TexelRange cells, const core::State& state);
     void read(TexelRange cells, core::State& state) const;
+    void archiveCells(core::Archive& archive);
+    void archiveLooks(core::Archive& archive);
+    /// Whether it can fall asleep at all.
+    bool mayRest(int member) const;
+    /// Everything that follows from the state and from who sleeps.
+    void follow();
     void watch();
     /// Lets islands fall asleep all of which have been calm for long enough.
     void rest();

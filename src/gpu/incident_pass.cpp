@@ -1,6 +1,7 @@
 #include "gpu/incident_pass.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "gpu/layout.hpp"
 
@@ -32,6 +33,7 @@ IncidentPass::IncidentPass(const World& world, ContactPass::Storage storage, int
       interval_(stepsPerLook(world)),
       room_(std::max(kLeastRoom, ring.capacity())) {
     const bool buffers = storage == ContactPass::Storage::Buffers;
+    knownTexels_ = buffers ? kBondTexels : 1;
     const std::size_t texels =
         buffers ? std::size_t{kBondTexels} * world.cellCount()
                 : std::size_t(columns) * texelRows(world.cellCount(), columns, "known bonds");
@@ -68,6 +70,70 @@ void IncidentPass::clear(const TexelTarget& pushes) const {
 
 void IncidentPass::forget() {
     for (const TexelTarget& pushes : pushes_) clear(pushes);
+}
+
+void IncidentPass::archive(Archive& a, const World& world, IncidentPass* pass) {
+    a.section("incidents");
+    if (!a.flag(pass != nullptr)) return;
+    std::vector<std::uint8_t> broken(static_cast<std::size_t>(world.cellCount()));
+    if (a.writes()) broken = pass->readKnown();
+    for (std::uint8_t& bits : broken) bits = a.whole<std::uint8_t>(bits, 0, 7);
+    if (a.reads() && pass) pass->writeKnown(broken);
+    if (!world.description().contact) return;
+    const int spheres = world.cellCount() << ContactPass::sphereBits(world);
+    const auto known = [&](float rank) {
+        const auto partner =
+            static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(rank) & 0xffffffu);
+        if (partner < world.cellCount()) return world.present(partner);
+        const int object = kNobody - 1 - partner;
+        return object >= 0 && object < static_cast<int>(world.objects().size());
+    };
+    for (int age = 0; age < 3; ++age) {
+        std::vector<Push> pushes;
+        if (a.writes()) pushes = pass->readPushes(age);
+        a.list(pushes, static_cast<std::size_t>(spheres), [&](Push& push) {
+            push.sphere = a.whole(push.sphere, 0, spheres - 1);
+            push.impulse = a.real(push.impulse, 0.f);
+            push.rank = a.real(push.rank, 0.f);
+            a.require(a.writes() || push.impulse == 0 || known(push.rank));
+        });
+        if (a.reads() && pass) pass->writePushes(age, pushes);
+    }
+}
+
+std::vector<IncidentPass::Push> IncidentPass::readPushes(int age) const {
+    std::vector<Push> pushes;
+    const int spheres = world_.cellCount() << ContactPass::sphereBits(world_);
+    const std::vector<vec4> texels = pushes_[(current_ + age) % 3].read(0, {0, spheres});
+    for (int sphere = 0; sphere < spheres; ++sphere)
+        if (texels[sphere].x != 0) pushes.push_back({sphere, texels[sphere].x, texels[sphere].w});
+    return pushes;
+}
+
+void IncidentPass::writePushes(int age, const std::vector<Push>& pushes) {
+    const int spheres = world_.cellCount() << ContactPass::sphereBits(world_);
+    std::vector<vec4> texels(static_cast<std::size_t>(spheres), vec4(0));
+    for (const Push& push : pushes) texels[push.sphere] = {push.impulse, 0, 0, push.rank};
+    pushes_[(current_ + age) % 3].write(0, 0, texels);
+}
+
+std::vector<std::uint8_t> IncidentPass::readKnown() const {
+    std::vector<vec4> texels(known_.size() / sizeof(vec4));
+    known_.read(0, known_.size(), texels.data());
+    std::vector<std::uint8_t> broken(static_cast<std::size_t>(world_.cellCount()));
+    for (std::size_t cell = 0; cell < broken.size(); ++cell)
+        for (int axis = 0; axis < kBondsPerCell; ++axis)
+            if (texels[knownTexels_ * cell][axis] >= 1)
+                broken[cell] = static_cast<std::uint8_t>(broken[cell] | 1 << axis);
+    return broken;
+}
+
+void IncidentPass::writeKnown(const std::vector<std::uint8_t>& broken) {
+    std::vector<vec4> texels(known_.size() / sizeof(vec4), vec4(0));
+    for (std::size_t cell = 0; cell < broken.size(); ++cell)
+        for (int axis = 0; axis < kBondsPerCell; ++axis)
+            texels[knownTexels_ * cell][axis] = static_cast<float>(broken[cell] >> axis & 1);
+    known_.write(0, known_.size(), texels.data());
 }
 
 void IncidentPass::addPushes() {

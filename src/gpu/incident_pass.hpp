@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/archive.hpp"
 #include "core/incident.hpp"
 #include "gl/fence.hpp"
 #include "gl/timer.hpp"
@@ -35,6 +36,10 @@ class IncidentPass {
     void finish();
     /// The state was set: what pushed before does not count.
     void forget();
+    /// What looks compare with, in either direction, once finish() was called. pass: null where
+    /// nobody looks: what was saved of one is left out. One that nothing was saved of stays as it
+    /// is.
+    static void archive(core::Archive& archive, const core::World& world, IncidentPass* pass);
     /// The bonds' damage at the last look: a texel per cell as in the solver's textures, or a
     /// BondRecord as in its buffers.
     gl::Buffer& known() { return known_; }
@@ -52,6 +57,17 @@ class IncidentPass {
         gl::Fence done;
     };
 
+    /// What a sphere was pushed with.
+    struct Push {
+        int sphere;
+        float impulse, rank;  ///< N·s; glsl/incidents/rank.glsl
+    };
+    std::vector<Push> readPushes(int age) const;
+    void writePushes(int age, const std::vector<Push>& pushes);
+    /// Per cell, a bit for each bond it owns: not held at the last look.
+    std::vector<std::uint8_t> readKnown() const;
+    void writeKnown(const std::vector<std::uint8_t>& broken);
+
     void clear(const TexelTarget& pushes) const;
     void take(Answer& answer);
     core::Incident incidentOf(const Record& record, std::int64_t step) const;
@@ -61,7 +77,8 @@ class IncidentPass {
     const ObjectPass* objects_;
     core::IncidentRing& ring_;
     int interval_;
-    std::size_t room_;  ///< records
+    std::size_t room_;         ///< records
+    std::size_t knownTexels_;  ///< from one cell's to the next
     Feedback feedback_;
     gl::Buffer known_;
     gl::Texture knownTexture_;

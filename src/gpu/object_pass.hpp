@@ -1,9 +1,11 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
+#include "core/archive.hpp"
 #include "core/rest_islands.hpp"
 #include "core/sleep.hpp"
 #include "core/world.hpp"
@@ -32,6 +34,9 @@ class ObjectPass {
     void set(const core::State& state);
     /// Waits for the GPU.
     void read(core::State& state) const;
+    /// All of it, in either direction; waits for the GPU. asleep: which objects are to be, once all
+    /// is read.
+    void archive(core::Archive& archive, const std::function<bool(int object)>& asleep);
     /// For drawing, as they are now: StateView::objects.
     const gl::Texture& places();
 
@@ -93,6 +98,13 @@ class ObjectPass {
     /// m, how far it may come before the next look.
     double reachOf(int object) const;
     void writeSleepers();
+    using Pair = std::array<GLint, 4>;  ///< glsl/objects/search.geom
+    using Motion = std::vector<vec4>;   ///< layer by layer
+    void archive(core::Archive& archive, Motion& motion) const;
+    void archive(core::Archive& archive, Answer& answer);
+    void archive(core::Archive& archive, Pair& pair) const;
+    std::vector<Pair> readPairs() const;
+    void writePairs(const std::vector<Pair>& pairs);
 
     const core::World& world_;
     const WorldBuffers& buffers_;
@@ -107,7 +119,7 @@ class ObjectPass {
     gl::TransformFeedback capture_;
     gl::VertexArray pairs_, noAttributes_;
     gl::Program searchProgram_, countProgram_, reactionProgram_, forceProgram_, amongProgram_,
-        moveProgram_;
+        moveProgram_, listedProgram_;
     std::vector<TexelRange> cells_;
     bool searchDue_ = true;
     std::array<Answer, kLag> answers_;

@@ -72,6 +72,54 @@ void RestMonitor::disturb(int body, std::int64_t step) {
     bodies_[body].disturbed = step;
 }
 
+void RestMonitor::archive(Archive& a) {
+    a.section("calm");
+    std::vector<Body> bodies = bodies_;
+    for (Body& body : bodies) {
+        body.calmSteps = a.whole(body.calmSteps, 0, 1 << 30);
+        body.disturbed = a.whole<std::int64_t>(body.disturbed, 0, Archive::kLastStep);
+    }
+    std::vector<Chunk> known = known_;
+    a.list(known, static_cast<std::size_t>(bodies.back().chunks.end), [&](Chunk& chunk) {
+        chunk.box.member =
+            a.whole(chunk.box.member, 0, memberOfBody(static_cast<int>(bodies.size()) - 1));
+        chunk.box.low = a.vector(chunk.box.low);
+        chunk.box.high = a.vector(chunk.box.high);
+        chunk.fastest = a.real(chunk.fastest, 0.);
+    });
+    const int next = a.whole(next_, 0, kLag - 1);
+    for (Answer& answer : answers_) archive(a, answer);
+    if (!a.reads()) return;
+    bodies_ = std::move(bodies);
+    known_ = std::move(known);
+    next_ = next;
+}
+
+void RestMonitor::archive(Archive& a, Answer& answer) {
+    const auto step = a.whole<std::int64_t>(answer.step, -1, Archive::kLastStep);
+    std::vector<vec4> unrest(answer.texels.size() / sizeof(vec4), vec4(0));
+    if (a.writes() && step >= 0) {
+        answer.done.wait();
+        answer.texels.read(0, answer.texels.size(), unrest.data());
+    }
+    const auto chunks = static_cast<std::size_t>(bodies_.back().chunks.end);
+    for (std::size_t chunk = 0; step >= 0 && chunk < chunks; ++chunk) {
+        vec4& some = unrest[chunk];
+        some.x = a.real(some.x, 0.f);
+        some.y = a.real(some.y, 0.f, 1.f);
+        some.z = a.real(some.z, 0.f, static_cast<float>(bodies_.size() + 1));
+        some.w = a.real(some.w, 0.f, 256.f * kRestHasteUnit);
+        for (int layer = 1; layer < layers_; ++layer) {
+            vec4& corner = unrest[static_cast<std::size_t>(layer) * unrest_.layerTexels() + chunk];
+            for (int axis = 0; axis < 3; ++axis) corner[axis] = a.real(corner[axis]);
+        }
+    }
+    if (!a.reads()) return;
+    answer.step = step;
+    answer.texels.write(0, answer.texels.size(), unrest.data());
+    answer.done = gl::Fence::insert();
+}
+
 RestMonitor::News RestMonitor::look(std::int64_t step) {
     Answer& answer = answers_[next_];
     next_ = (next_ + 1) % kLag;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/archive.hpp"
 #include "core/rest_islands.hpp"
 #include "core/world.hpp"
 #include "gl/fence.hpp"
@@ -39,6 +40,8 @@ class RestMonitor {
     News look(std::int64_t step);
     /// A body is changed from outside at `step`: what it did before no longer counts.
     void disturb(int body, std::int64_t step);
+    /// How long bodies have been calm, and what it has asked the GPU. Waits for it.
+    void archive(core::Archive& archive);
     /// Whether it has been calm for long enough to sleep.
     bool ready(int body) const { return bodies_[body].calmSteps >= sleepSteps_; }
     /// With contact, of all bodies, those with cells.
@@ -58,6 +61,7 @@ class RestMonitor {
         std::int64_t disturbed = 0;  ///< step
     };
 
+    void archive(core::Archive& archive, Answer& answer);
     void ask(Answer& answer, std::int64_t step);
     void takeChunks(const std::vector<vec4>& unrest);
     News take(const Answer& answer, std::int64_t now);

@@ -5,6 +5,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include "core/archive.hpp"
 #include "core/tetrahedra.hpp"
 #include "gpu/layout.hpp"
 #include "gpu/observed_pass.hpp"
@@ -161,6 +162,35 @@ void ScatterSolver::setState(const State& state) {
     incidents_->finish();
     incidents_->forget();
     incidents_->known().copy(bonds_.bonds().buffer());
+}
+
+void ScatterSolver::archive(Archive& a) {
+    a.section("step");
+    const std::int64_t step = a.step(step_);
+    events_.schedule().archive(a, step);
+    State now = a.writes() ? state() : world_.initialState();
+    archiveCells<float>(a, world_, now);
+    a.section("looks");
+    const auto dropped = a.whole<std::int64_t>(droppedContacts_, 0, Archive::kLastStep);
+    std::vector<double> haste = contactHaste_;
+    a.list(haste, world_.bodies().size(), [&](double& x) { x = a.real(x, 0.); });
+    if (a.reads()) {
+        step_ = step;
+        droppedContacts_ = dropped;
+        contactHaste_ = std::move(haste);
+        nodes_[currentNodes_].nodes.write(now);
+        bindWorld(buffers_);
+        gl::bindTexture(kNodes, GL_TEXTURE_BUFFER, nodes_[currentNodes_].nodes.texture());
+        bonds_.write(now, feedback_);
+    }
+    if (contact_) contact_->archive(a);
+    if (objects_) objects_->archive(a, [](int) { return false; });
+    if (a.reads() && incidents_) {
+        incidents_->finish();
+        incidents_->forget();
+        incidents_->known().copy(bonds_.bonds().buffer());
+    }
+    IncidentPass::archive(a, world_, incidents_ ? &*incidents_ : nullptr);
 }
 
 void ScatterSolver::setIncidents(IncidentRing* ring) {

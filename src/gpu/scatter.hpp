@@ -29,6 +29,7 @@ class ScatterSolver : public GpuSolver {
     void finish() override;
     core::State state() const override;
     void setState(const core::State& state) override;
+    void archive(core::Archive& archive) override;
     void push(const core::Event& event) override;
     void putObject(int object, const core::ObjectState& state) override;
     StateView view() override;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/saved_state.hpp"
+
 namespace sunder::sim {
 
 using namespace core;
@@ -41,6 +43,15 @@ void Simulation::restart() {
 void Simulation::setState(const State& state) {
     made_.solver->setState(state);
     step_ = state.step;
+    state_.reset();
+}
+
+std::vector<std::byte> Simulation::saveState() {
+    return core::saveState(world(), *made_.solver);
+}
+
+void Simulation::restoreState(std::span<const std::byte> bytes) {
+    step_ = core::restoreState(world(), *made_.solver, bytes);
     state_.reset();
 }
 

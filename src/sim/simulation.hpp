@@ -1,6 +1,8 @@
 #pragma once
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/incident.hpp"
@@ -35,6 +37,14 @@ class Simulation {
     void restart();
     /// Goes on from a state of this world, or of one with the same cells.
     void setState(const core::State&);
+    /// All that the solver knows (core/saved_state.hpp), for rollback and checkpoints. Changes
+    /// nothing that is to come. Waits for a GPU, as finish() does.
+    std::vector<std::byte> saveState();
+    /// Goes on from there to the bit, and so does another simulation of the same world with the
+    /// same solver, whatever number of threads it has; only `auto` goes on as from setState().
+    /// start() and incidents not yet taken are what they were. Throws InputError for bytes that
+    /// saveState() did not give, or those of another world or solver; then nothing has changed.
+    void restoreState(std::span<const std::byte> bytes);
     /// The last state, fetched at most once until it changes. Waits for a GPU.
     const core::State& state();
 

@@ -24,6 +24,10 @@ class Checked : public Solver {
         return state;
     }
     void setState(const State& state) override { solver_.setState(state); }
+    void archive(Archive& archive) override {
+        solver_.archive(archive);
+        testContext().check();
+    }
     void push(const Event& event) override { solver_.push(event); }
     void putObject(int object, const ObjectState& state) override {
         solver_.putObject(object, state);
