@@ -28,12 +28,13 @@ inline constexpr std::uint32_t kStateFormat = 1;
 /// does: what sleeps wakes, what may touch is searched for anew. Waits for a GPU, as finish()
 /// does: incidents that were found go to the ring, and those after it are found again by whoever
 /// restores. What a look compares with (recent impulses, known breaks) is among the bytes where
-/// incidents are looked for.
+/// incidents are looked for. On the thread that advances the solver, as restoreState().
 std::vector<std::byte> saveState(const World& world, Solver& solver);
 
 /// Goes on from there; returns the step. `solver` is one of `world`. Incidents found before are
 /// left to whoever takes them. Throws InputError, and then nothing has changed, for bytes that are
-/// cut, changed, of another format, another solver or another world, or that no solver writes.
+/// cut, changed, of another format, another solver or another world, or that no solver writes; also
+/// where a number is no longer finite.
 std::int64_t restoreState(const World& world, Solver& solver, std::span<const std::byte> bytes);
 
 /// Of all bytes but the last eight.
