@@ -25,6 +25,7 @@ WorldDescription apart() {
 /// them faster than it follows.
 State crowded(const World& world) {
     State state = world.initialState();
+    state.step = 44;  // soon `gather` looks
     Random random(3);
     for (int cell = 0; cell < kCells; ++cell) {
         const Vec3 to = 0.1 * random.vector(), v = (cell % 3 == 0 ? 90 : 2) * random.vector();
@@ -39,7 +40,7 @@ State crowded(const World& world) {
 
 template <class Solver>
 void checkCrowd() {
-    constexpr int kSteps = 60, kFurther = 7;
+    constexpr int kSteps = 30, kFurther = 7;
     const World world(apart());
     testContext();
     const gpu::WorldBuffers buffers(world);
@@ -55,9 +56,12 @@ void checkCrowd() {
         const int step = 23 * i % (kSteps + 1);
         CAPTURE(step);
         restoreState(world, other, saved[step]);
-        REQUIRE(saveState(world, other) == saved[step]);
-        other.advance(kFurther);
-        REQUIRE(saveState(world, other) == saved[step + kFurther]);
+        REQUIRE((saveState(world, other) == saved[step]));
+        for (int k = 0; k < kFurther; ++k) {
+            other.advance(1);
+            other.finish();  // scatter counts what it left out in the searches before one
+        }
+        REQUIRE((saveState(world, other) == saved[step + kFurther]));
     }
     Solver fresh(world, buffers);
     restoreState(world, fresh, saved.back());
