@@ -401,9 +401,9 @@ void CpuSolver::archiveTouching(Archive& a) {
         }
     std::vector<bool> held;
     for (const auto& run : bodies_) held.push_back(run->held);
-    runner.inArena([&] {
+    runner.team.run([&] {
         runner.contact->archive(a, held, [&](int count, const std::function<void(int)>& work) {
-            runner.forEach(count, work);
+            runner.team.forEach(count, work);
         });
     });
     if (runner.objects) runner.objects->archive(a);

@@ -17,7 +17,8 @@ std::vector<DeformedMesh::RestVertex> restVertices(const World& world,
     for (const surface::DisplayVertex& from : mesh.vertices()) {
         const auto cell = static_cast<int>(from.cell);
         const int body = world.bodyOf(cell);
-        const Vec3 place = from.rest.cast<double>() - world.bodies()[body].origin;
+        const Body& of = world.bodies()[body];
+        const Vec3 place = of.axes.transpose() * (from.rest.cast<double>() - of.origin);
         const int axis = static_cast<int>(from.code >> (SUNDER_DISPLAY_FACE_BIT + 1) & 3u);
         // Upright where the face is: along x or z, and up; from above, along x and z.
         const double u = place[axis == 0 ? 2 : 0], v = place[axis == 1 ? 2 : 1];

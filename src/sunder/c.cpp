@@ -72,6 +72,7 @@ sunder_body sunder_body_default(void) {
     body.material = d.material;
     put(d.size, body.size);
     for (int& cells : body.cells) cells = 1;
+    body.orientation[0] = 1;
     return body;
 }
 
@@ -142,6 +143,7 @@ sunder_status sunder_desc_add_body(sunder_desc* desc, const sunder_body* body, i
         d.size = vec3(body->size);
         d.cells = {body->cells[0], body->cells[1], body->cells[2]};
         d.position = vec3(body->position);
+        d.orientation = quat(body->orientation);
         d.anchors = static_cast<Side>(body->anchors);
         const int added = desc->desc.addBody(std::move(d));
         if (index) *index = added;
@@ -196,7 +198,7 @@ sunder_world* sunder_world_create(const sunder_desc* desc, sunder_device* device
         options.device = device ? &device->device() : nullptr;
         if (solver) options.solver = solver;
         Result<World> made = World::create(desc->desc, options);
-        if (made) return new sunder_world{std::move(*made), {}};
+        if (made) return new sunder_world{std::move(*made), {}, {}};
         fail(made.error());
     } catch (...) {
         fail(currentError());
@@ -246,6 +248,23 @@ sunder_status sunder_world_set_kinematic(sunder_world* world, int object, const 
 
 sunder_status sunder_world_remove_object(sunder_world* world, int object) {
     return run({world}, [&] { return world->world.removeObject(object); });
+}
+
+sunder_status sunder_world_save(sunder_world* world, const void** bytes, size_t* size) {
+    return run({world, bytes, size}, [&]() -> Result<void> {
+        Result<std::vector<std::byte>> saved = world->world.saveState();
+        if (!saved) return saved.error();
+        world->saved = std::move(*saved);
+        *bytes = world->saved.data();
+        *size = world->saved.size();
+        return {};
+    });
+}
+
+sunder_status sunder_world_restore(sunder_world* world, const void* bytes, size_t size) {
+    return run({world, bytes}, [&] {
+        return world->world.restoreState({static_cast<const std::byte*>(bytes), size});
+    });
 }
 
 size_t sunder_world_incidents(sunder_world* world, const sunder_incident** incidents) {

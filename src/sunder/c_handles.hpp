@@ -13,6 +13,7 @@ struct sunder_desc {
 struct sunder_world {
     sunder::World world;
     std::vector<sunder_incident> incidents;
+    std::vector<std::byte> saved;
 };
 
 /// A library without its part on the GPU makes none.

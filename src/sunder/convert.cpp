@@ -99,6 +99,8 @@ core::BodyDescription describe(const BodyDesc& body, int index) {
     d.size = toCore(body.size);
     d.cells = toCore(body.cells);
     d.position = toCore(body.position);
+    d.orientation =
+        toCore(body.orientation, ("body " + std::to_string(index + 1) + ": orientation").c_str());
     d.material = body.material;
     d.anchors = sidesOf(body.anchors, "body " + std::to_string(index + 1) + ": ");
     for (const RegionDesc& region : body.regions)
@@ -113,6 +115,7 @@ BodyDesc bodyOf(const core::BodyDescription& d) {
     body.size = fromCore(d.size);
     body.cells = fromCore(d.cells);
     body.position = fromCore(d.position);
+    body.orientation = fromCore(d.orientation);
     body.material = d.material;
     for (const core::Side side : d.anchors)
         for (const auto& [ours, theirs] : kSides)
@@ -128,7 +131,10 @@ Push pushOf(const core::EventDescription& event, const core::WorldDescription& w
     Push push;
     push.body = event.body;
     core::Vec3 at = event.point;
-    if (event.body >= 0) at += world.bodies[event.body].position;
+    if (event.body >= 0) {
+        const core::BodyDescription& body = world.bodies[event.body];
+        at = body.position + body.orientation * at;
+    }
     push.at = fromCore(at);
     push.radius = event.radius;
     (event.kind == Kind::Impulse ? push.impulse
@@ -237,7 +243,7 @@ Material fromCore(const core::Material& c) {
     return m;
 }
 
-core::EventDescription toCore(const Push& push, const core::Vec3& position) {
+core::EventDescription toCore(const Push& push, const std::vector<core::BodyDescription>& bodies) {
     using Kind = core::EventDescription::Kind;
     core::EventDescription event;
     const bool impulse = push.impulse != Vec3{}, force = push.force != Vec3{};
@@ -251,7 +257,11 @@ core::EventDescription toCore(const Push& push, const core::Vec3& position) {
     event.time = push.delay;
     event.duration = push.duration;
     event.body = push.body;
-    event.point = toCore(push.at) - position;
+    event.point = toCore(push.at);
+    if (push.body >= 0 && push.body < static_cast<int>(bodies.size())) {
+        const core::BodyDescription& body = bodies[push.body];
+        event.point = body.orientation.conjugate() * (event.point - body.position);
+    }
     event.radius = push.radius;
     event.outward = push.outward;
     event.falloff = push.falloff;
@@ -265,10 +275,7 @@ core::WorldDescription toCore(const WorldDesc& desc) {
         d.bodies.push_back(describe(body, static_cast<int>(d.bodies.size())));
     for (const Object& object : desc.objects)
         d.objects.push_back(describe(object, static_cast<int>(d.objects.size())));
-    for (const Push& push : desc.pushes) {
-        const bool one = push.body >= 0 && push.body < static_cast<int>(d.bodies.size());
-        d.events.push_back(toCore(push, one ? d.bodies[push.body].position : core::Vec3(0, 0, 0)));
-    }
+    for (const Push& push : desc.pushes) d.events.push_back(toCore(push, d.bodies));
     for (const Throw& thrown : desc.throws)
         d.throws.push_back({thrown.time, thrown.object, toCore(thrown.from),
                             toCore(thrown.velocity), toCore(thrown.spin)});

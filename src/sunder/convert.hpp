@@ -25,8 +25,8 @@ Quat fromCore(const Eigen::Quaterniond&);
 core::Material toCore(const Material&);
 Material fromCore(const core::Material&);
 
-/// Throws InputError where a push has no or several kinds. `position`: of the body, m.
-core::EventDescription toCore(const Push&, const core::Vec3& position);
+/// Throws InputError where a push is of several kinds.
+core::EventDescription toCore(const Push&, const std::vector<core::BodyDescription>& bodies);
 
 /// Throws InputError for what cannot be told to the inside; core/check.hpp refuses the rest.
 core::WorldDescription toCore(const WorldDesc&);

@@ -48,11 +48,12 @@ typedef struct sunder_surface sunder_surface;
 
 /* A body: sunder::BodyDesc. sunder_body_default() first. */
 typedef struct sunder_body {
-    int material;       /* What sunder_desc_add_material() gave. */
-    double size[3];     /* m. */
-    int cells[3];       /* Along x, y, z. */
-    double position[3]; /* m, world: centre of the bottom face. */
-    unsigned anchors;   /* Sides that never move. */
+    int material;          /* What sunder_desc_add_material() gave. */
+    double size[3];        /* m. */
+    int cells[3];          /* Along x, y, z. */
+    double position[3];    /* m, world: centre of the bottom face. */
+    double orientation[4]; /* A unit quaternion: w, x, y, z. */
+    unsigned anchors;      /* Sides that never move. */
 } sunder_body;
 
 /* The shape of an object. */
@@ -192,6 +193,10 @@ SUNDER_API sunder_status sunder_world_set_kinematic(sunder_world* world, int obj
                                                     const double* velocity, const double* spin);
 /* Takes an object away. */
 SUNDER_API sunder_status sunder_world_remove_object(sunder_world* world, int object);
+/* All of it as bytes; `*bytes` is valid until the next call of this function with this world. */
+SUNDER_API sunder_status sunder_world_save(sunder_world* world, const void** bytes, size_t* size);
+/* Goes on from there. */
+SUNDER_API sunder_status sunder_world_restore(sunder_world* world, const void* bytes, size_t size);
 /* What has happened since the last call; `*incidents` is valid until the next. How many. */
 SUNDER_API size_t sunder_world_incidents(sunder_world* world, const sunder_incident** incidents);
 /* Whether a ray meets something: 1 or 0. Three numbers each. */

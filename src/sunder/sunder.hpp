@@ -63,11 +63,12 @@ struct RegionDesc {
 struct BodyDesc {
     /// For messages: one line of up to 64 bytes, or empty; no other body has it.
     std::string name{};
-    int material = 0;           ///< What WorldDesc::addMaterial() returned.
-    Vec3 size{1, 1, 1};         ///< m, each 0.001 to 1000.
-    IVec3 cells{1, 1, 1};       ///< Cells along x, y, z, each from 1. All bodies: up to 4,000,000.
-    Vec3 position{};            ///< m, world, each −1e4 to 1e4: centre of the bottom face.
-    Side anchors = Side::None;  ///< Sides that never move.
+    int material = 0;      ///< What WorldDesc::addMaterial() returned.
+    Vec3 size{1, 1, 1};    ///< m, each 0.001 to 1000.
+    IVec3 cells{1, 1, 1};  ///< Cells along x, y, z, each from 1. All bodies: up to 4,000,000.
+    Vec3 position{};       ///< m, world, each −1e4 to 1e4: centre of the bottom face.
+    Quat orientation{};  ///< How it is turned about its position: sides, cells, grain turn with it.
+    Side anchors = Side::None;          ///< Sides that never move.
     std::vector<RegionDesc> regions{};  ///< Up to 256; later ones override earlier ones.
     /// Whether it may lie within others as the world begins.
     bool mayOverlap = false;
@@ -333,6 +334,18 @@ class SUNDER_API World {
                               Vec3 spin = {});
     /// Takes an object away, until it is thrown or set again.
     Result<void> removeObject(int object);
+
+    // --- Going back ---
+
+    /// All of it as bytes, from which restoreState() goes on to the bit, in this world or in
+    /// another of the same description and solver, with this version of Sunder ("auto" restores
+    /// places and speeds, and wakes what sleeps). Changes nothing. On a GPU it waits and reads the
+    /// state.
+    Result<std::vector<std::byte>> saveState() const;
+    /// Goes on from there. Incidents that were found before stay with who has them. Fails, and
+    /// changes nothing, for bytes that were cut or changed, or are of another version, world or
+    /// solver.
+    Result<void> restoreState(std::span<const std::byte> bytes);
 
     // --- Output ---
 

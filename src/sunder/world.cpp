@@ -1,3 +1,4 @@
+#include <bit>
 #include <cmath>
 
 #include "core/diagnostics.hpp"
@@ -169,11 +170,7 @@ Result<void> World::finish() {
 Result<void> World::push(const Push& push) {
     Impl& w = *impl_;
     return w.within([&]() -> Result<void> {
-        const core::WorldDescription& d = w.world().description();
-        const bool one = push.body >= 0 && push.body < static_cast<int>(d.bodies.size());
-        core::EventDescription event =
-            toCore(push, one ? d.bodies[push.body].position : core::Vec3(0, 0, 0));
-        w.simulation->push(event);
+        w.simulation->push(toCore(push, w.world().description().bodies));
         return {};
     });
 }
@@ -214,6 +211,37 @@ Result<void> World::removeObject(int object) {
     return w.within([&]() -> Result<void> {
         w.checkObject(object, "removeObject");
         w.simulation->putObject(object, {});
+        return {};
+    });
+}
+
+// --- Going back ---
+
+Result<std::vector<std::byte>> World::saveState() const {
+    Impl& w = *impl_;
+    return w.within([&]() -> Result<std::vector<std::byte>> {
+        std::vector<std::byte> bytes = w.simulation->saveState();
+        const auto rest = std::bit_cast<std::uint64_t>(w.rest);
+        for (int i = 0; i < 8; ++i) bytes.push_back(static_cast<std::byte>(rest >> 8 * i & 0xff));
+        return bytes;
+    });
+}
+
+Result<void> World::restoreState(std::span<const std::byte> bytes) {
+    Impl& w = *impl_;
+    return w.within([&]() -> Result<void> {
+        // What follows the simulation's bytes: seconds that no substep has taken up.
+        std::uint64_t bits = 0;
+        if (bytes.size() < sizeof bits)
+            throw core::InputError("a saved state of " + std::to_string(bytes.size()) +
+                                   " bytes was cut short");
+        const std::span<const std::byte> last = bytes.last(sizeof bits);
+        for (int i = 0; i < 8; ++i) bits |= static_cast<std::uint64_t>(last[i]) << 8 * i;
+        const auto rest = std::bit_cast<double>(bits);
+        if (!(std::abs(rest) <= w.world().step()))
+            throw core::InputError("a saved state ends in bytes that saveState() does not write");
+        w.simulation->restoreState(bytes.first(bytes.size() - sizeof bits));
+        w.rest = rest;
         return {};
     });
 }

@@ -50,6 +50,7 @@ WorldDesc wallAndBall() {
                   .size = {0.3, 0.3, 0.05},
                   .cells = {3, 3, 1},
                   .position = {1.2, 0, 0},
+                  .orientation = {0.8, 0, 0.6, 0},
                   .anchors = Side::Bottom});
     Object ball = Object::sphere(0.15).at({0, 0.35, 0.35});
     ball.mass = 40;
@@ -217,6 +218,26 @@ TEST_CASE("library: no state of a host's changes a surface, nor is it changed") 
     host.unnoticed("saved", [&] { CHECK(world.stateHash()); });
     host.unnoticed("gone", [&] { surface.reset(); });
     host.hostile.reset();
+}
+
+TEST_CASE("library: a world on the GPU goes back to where it was saved") {
+    Host host;
+    gl::Device device(host.options());
+    for (const std::string_view solver : {"gather", "scatter"}) {
+        INFO(solver);
+        World world = made(wallAndBall(), {.device = &device, .solver = solver});
+        REQUIRE(world.step(2 * kFrame));
+        const Result<std::vector<std::byte>> saved = world.saveState();
+        REQUIRE(saved);
+        REQUIRE(world.step(3 * kFrame));
+        const std::uint64_t later = *world.stateHash();
+        REQUIRE(world.restoreState(*saved));
+        REQUIRE(world.step(3 * kFrame));
+        CHECK(*world.stateHash() == later);
+        World other = made(wallAndBall(), {.device = &device, .solver = "cpu"});
+        CHECK_THAT(other.restoreState(*saved).error().message,
+                   Catch::Contains(std::string(solver)));
+    }
 }
 
 TEST_CASE("library: a world on the CPU has a surface, too") {

@@ -62,7 +62,7 @@ TEST_CASE("A ray finds the spot on a turned wall", "[view]") {
     d.ground = false;
     const World world(d);
     const surface::DisplayMesh mesh(world);
-    const Picker picker(world, mesh), upright(wall(), wallMesh());
+    const surface::Picker picker(world, mesh), upright(wall(), wallMesh());
     const State state = world.initialState();
     const Vec3 about = d.bodies[0].position;
     for (const double x : {-1.4, -0.333, 0.0, 0.71, 1.49}) {
