@@ -43,7 +43,7 @@ const void* at(std::size_t offset) {
 DeformedMesh::DeformedMesh(const World& world, const gpu::WorldBuffers& buffers)
     : buffers_(buffers),
       program_({.vertex = "draw/display.vert",
-                .defines = {{"SURFACE", "1"}},
+                .defines = gpu::withTurned({{"SURFACE", "1"}}, buffers.turned()),
                 .feedback = {"position", "normal", "tangent"}}) {
     const surface::DisplayMesh mesh(world);
     vertices_ = static_cast<int>(mesh.vertices().size());
