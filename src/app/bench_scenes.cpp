@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/orientation.hpp"
+
 namespace sunder::app {
 
 using namespace core;
@@ -41,7 +43,8 @@ scene::Scene withWalls(scene::Scene scene, int walls) {
     scene.world.events.clear();
     // Wider than deep walls stand in about half as many columns as rows.
     const int columns = std::max(1, static_cast<int>(std::sqrt(walls / 2.0)));
-    const double dx = 1.2 * wall.size.x(), dz = wall.size.z() + wall.size.y();
+    const Vec3 room = axesOf(wall.orientation).cwiseAbs() * wall.size;
+    const double dx = 1.2 * room.x(), dz = room.z() + room.y();
     for (int i = 0; i < walls; ++i) {
         BodyDescription& copy = scene.world.bodies.emplace_back(wall);
         copy.name = wall.name + " " + std::to_string(i + 1);

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <set>
 
+#include "core/limits.hpp"
+#include "core/names.hpp"
 #include "core/orientation.hpp"
+#include "core/rules.hpp"
+#include "core/wording.hpp"
 
 namespace sunder::scene {
 
