@@ -145,12 +145,16 @@ using E = EventDescription;
 constexpr std::array<Rule<E>, 5> eventTable(std::string_view unit) {
     return {{
         {"time", kTime, &E::time, "When it begins."},
-        {"point", kCoordinate, &E::point, "Middle of the patch, from the body's position."},
+        {"point", kCoordinate, &E::point,
+         "Middle of the patch, from the body's position along its own axes."},
         {"radius",
          {0, kMaxLength, "m", true},
          &E::radius,
          "Size of the patch: all nodes within are pushed."},
-        {"vector", {-1e12, 1e12, unit}, &E::vector, "What it gives to the patch, and which way."},
+        {"vector",
+         {-1e12, 1e12, unit},
+         &E::vector,
+         "What it gives to the patch, and which way in the world."},
         {"duration",
          {0, kMaxTime, "s", true},
          &E::duration,

@@ -94,6 +94,23 @@ TEST_CASE("a turned wall sags by its weight as an upright one does") {
                             expected.state.displacement) < -0.004 * lowest);
 }
 
+TEST_CASE("bodies that are alike but for their orientation settle each for itself") {
+    WorldDescription d = heavy({9, 2, 2});
+    d.ground = false;
+    d.bodies[0].anchors = {Side::Left};
+    BodyDescription other = d.bodies[0];
+    other.position = {3, 0, 0};
+    other.orientation = Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ());
+    const auto settled = [&](std::vector<BodyDescription> bodies) {
+        d.bodies = std::move(bodies);
+        return cpu::settledStart(World(d)).state.displacement;
+    };
+    const BodyDescription beam = d.bodies[0];
+    std::vector<Vec3> alone = settled({beam});
+    for (const Vec3& u : settled({other})) alone.push_back(u);
+    CHECK(settled({beam, other}) == alone);
+}
+
 TEST_CASE("a body in mid-air begins as described") {
     WorldDescription d = heavy({2, 2, 2});
     d.bodies[0].position = {0, 1, 0};
