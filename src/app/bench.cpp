@@ -24,6 +24,8 @@ using namespace core;
 
 namespace {
 
+constexpr int kExplosions = 100;  ///< at once
+
 struct BenchOptions {
     std::string scene;
     std::vector<std::string> solvers;
@@ -158,6 +160,18 @@ class Bench {
             std::cout << "\nDrawn in 1280x720 with shadows and four samples, not read back.\n"
                       << drawingText(report_.drawn, *report_.msDisplayMeshBuild);
         std::cout << std::endl;
+        measureExplosions(scene);
+    }
+
+    void measureExplosions(const scene::Scene& scene) {
+        const auto measure = [&](const std::string& part, int count) {
+            Contest contest(withExplosions(scene, count), entrants_, limits_, context_.get());
+            Results results = contest.measure(part);
+            keep(results);
+            return results;
+        };
+        const Results calm = measure("calm", 0), blasts = measure("explosions", kExplosions);
+        std::cout << explosionsText(calm, blasts, kExplosions) << std::endl;
     }
 
     /// What drawing costs beside simulating.

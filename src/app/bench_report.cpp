@@ -156,6 +156,21 @@ std::string framesText(const Results& whole, const Results& oneStep) {
     return textTable(rows) + skippedText(whole);
 }
 
+std::string explosionsText(const Results& calm, const Results& explosions, int count) {
+    constexpr double kLasts = 5e-3;  // s, as an event does unless it says otherwise
+    std::vector<std::vector<std::string>> rows{{std::to_string(count) + " explosions at once",
+                                                "ms a frame", "without", "us for one of 5 ms"}};
+    for (std::size_t i = 0; i < calm.size(); ++i) {
+        if (!calm[i].skipped.empty() || !explosions[i].skipped.empty()) continue;
+        const double more = explosions[i].msPerStep - calm[i].msPerStep;
+        const double steps = 60 * calm[i].stepsPerFrame * kLasts;
+        rows.push_back({calm[i].label, shortNumber(explosions[i].msPerFrame()),
+                        shortNumber(calm[i].msPerFrame()),
+                        shortNumber(std::max(0.0, 1000 * more * steps / count))});
+    }
+    return textTable(rows);
+}
+
 std::string scalingText(const Results& results) {
     const std::vector<std::string> labels = labelsOf(results);
     std::vector<std::vector<std::string>> rows{{"tetrahedra"}};

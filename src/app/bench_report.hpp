@@ -15,6 +15,8 @@ std::string machineLine(const BenchReport&);
 using Results = std::vector<BenchResult>;
 /// Frames per second, drawn and not, at the scene's steps per frame and at one.
 std::string framesText(const Results& whole, const Results& oneStep);
+/// What so many explosions at once cost.
+std::string explosionsText(const Results& calm, const Results& explosions, int count);
 /// One row per size, one column per entrant.
 std::string scalingText(const Results&);
 std::string memoryText(const Results&);

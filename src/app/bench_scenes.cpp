@@ -58,6 +58,25 @@ scene::Scene withWalls(scene::Scene scene, int walls) {
     return scene;
 }
 
+scene::Scene withExplosions(scene::Scene scene, int count) {
+    core::WorldDescription& world = scene.world;
+    world.events.clear();
+    world.throws.clear();
+    for (int i = 0; i < count; ++i) {
+        const core::BodyDescription& body = world.bodies[i % world.bodies.size()];
+        core::EventDescription blast;
+        blast.kind = core::EventDescription::Kind::Velocity;
+        blast.body = core::kEveryBody;
+        blast.point = body.position + core::Vec3(0, body.size[1] / 2, 0);
+        blast.radius = 0.5;
+        blast.outward = 1e-6;
+        blast.falloff = true;
+        blast.duration = 1000;
+        world.events.push_back(blast);
+    }
+    return scene;
+}
+
 scene::Scene oneStepPerFrame(scene::Scene scene) {
     scene.substeps = 1;
     scene.world.step = 1.0 / 60;

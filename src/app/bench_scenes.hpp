@@ -14,6 +14,10 @@ scene::Scene withWalls(scene::Scene, int walls);
 /// One step per frame, fracture tested on every one: what the thesis did.
 scene::Scene oneStepPerFrame(scene::Scene);
 
+/// Without its own events, and with so many explosions at once, one after the other at the middles
+/// of its bodies. They last, and are too weak to break anything: what differs is what they cost.
+scene::Scene withExplosions(scene::Scene, int count);
+
 /// One wall of the wood preset, one or two cells thick, hit at time 0. `tetrahedra` must be one of
 /// scalingSizes().
 scene::Scene scalingScene(int tetrahedra);

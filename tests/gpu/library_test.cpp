@@ -1,13 +1,15 @@
 // The public interface in a host's own GL context: sunder/gl.hpp.
+#include <algorithm>
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "catch.hpp"
 #include "gl/functions.hpp"
 #include "gpu/hostile_host.hpp"
 #include "gpu/state_dump.hpp"
-#include "sunder/gl.hpp"
+#include "sunder/gl_device.hpp"
 #include "sunder/world_impl.hpp"
 #include "surface/display_mesh.hpp"
 #include "window/context.hpp"
@@ -79,6 +81,50 @@ std::vector<gl::Vertex> verticesOf(const gl::Surface& surface) {
 bool same(const std::vector<gl::Vertex>& a, const std::vector<gl::Vertex>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
 }
+
+/// Counts the calls with which a program waits for a GPU or reads from it.
+class ReadCounter {
+  public:
+    explicit ReadCounter(gl::Functions& functions) : functions_(functions), before_(functions) {
+        count_ = 0;
+        original_ = &before_;
+        functions.GetBufferSubData = [](GLenum a, GLintptr b, GLsizeiptr c, void* d) {
+            ++count_;
+            original_->GetBufferSubData(a, b, c, d);
+        };
+        functions.MapBufferRange = [](GLenum a, GLintptr b, GLsizeiptr c, GLbitfield d) {
+            ++count_;
+            return original_->MapBufferRange(a, b, c, d);
+        };
+        functions.MapBuffer = [](GLenum a, GLenum b) {
+            ++count_;
+            return original_->MapBuffer(a, b);
+        };
+        functions.ReadPixels = [](GLint a, GLint b, GLsizei c, GLsizei d, GLenum e, GLenum f,
+                                  void* g) {
+            ++count_;
+            original_->ReadPixels(a, b, c, d, e, f, g);
+        };
+        functions.GetTexImage = [](GLenum a, GLint b, GLenum c, GLenum d, void* e) {
+            ++count_;
+            original_->GetTexImage(a, b, c, d, e);
+        };
+        functions.Finish = [] {
+            ++count_;
+            original_->Finish();
+        };
+    }
+    ~ReadCounter() { functions_ = before_; }
+    ReadCounter(const ReadCounter&) = delete;
+    ReadCounter& operator=(const ReadCounter&) = delete;
+    static int take() { return std::exchange(count_, 0); }
+
+  private:
+    gl::Functions& functions_;
+    gl::Functions before_;
+    static inline int count_ = 0;
+    static inline gl::Functions* original_ = nullptr;
+};
 
 core::Vec3 vec(const float* v) {
     return {v[0], v[1], v[2]};
@@ -237,6 +283,38 @@ TEST_CASE("library: a world on the GPU goes back to where it was saved") {
         World other = made(wallAndBall(), {.device = &device, .solver = "cpu"});
         CHECK_THAT(other.restoreState(*saved).error().message,
                    Catch::Contains(std::string(solver)));
+    }
+}
+
+TEST_CASE("library: pushes, throws and surfaces read nothing back") {
+    Host host;
+    gl::Device device(host.options());
+    for (const std::string_view solver : {"gather", "scatter"}) {
+        INFO(solver);
+        World quiet = made(wallAndBall(), {.device = &device, .solver = solver});
+        World pushed = made(wallAndBall(), {.device = &device, .solver = solver});
+        gl::Surface surface(device, pushed);
+        ReadCounter counter(device.impl().driver->functions());
+        int mostReads = 0, readsOfPushed = 0;
+        for (int frame = 0; frame < 8; ++frame) {
+            REQUIRE(quiet.step(kFrame));
+            const int reads = ReadCounter::take();
+            mostReads = std::max(mostReads, reads);
+            for (int i = 0; i < 100; ++i)
+                REQUIRE(pushed.push({.at = {0.01 * i - 0.5, 0.3, 0},
+                                     .radius = 0.2,
+                                     .outward = 0.1,
+                                     .falloff = true}));
+            REQUIRE(pushed.throwObject({.object = 0, .from = {0, 0.5, 2}}));
+            REQUIRE(pushed.step(kFrame));
+            REQUIRE(surface.update());
+            readsOfPushed = std::max(readsOfPushed, ReadCounter::take());
+        }
+        // Looks for incidents, sleepers and loose contacts: answers that came two looks ago.
+        CHECK(readsOfPushed <= mostReads);
+        CHECK(pushed.stateHash());
+        CHECK(ReadCounter::take() > 0);  // it does count
+        CHECK(*pushed.stateHash() != *quiet.stateHash());
     }
 }
 

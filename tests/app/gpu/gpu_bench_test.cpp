@@ -55,7 +55,7 @@ TEST_CASE("App: bench writes numbers of every solver it was asked for, and a plo
         CHECK(entry.at("bytes_per_tetrahedron") >= 2 * 8 * 32 / 5);
         CHECK(entry.at("bytes_per_tetrahedron") < 100'000);
     }
-    const std::set<std::string> all{"frames", "one-step", "intact", "broken"};
+    const std::set<std::string> all{"frames", "one-step", "calm", "explosions", "intact", "broken"};
     CHECK(parts == decltype(parts){{"gather", all}, {"scatter", all}, {"reference", all}});
 
     REQUIRE(report.at("drawn").size() == 2);
