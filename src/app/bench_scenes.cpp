@@ -62,6 +62,15 @@ scene::Scene withExplosions(scene::Scene scene, int count) {
     core::WorldDescription& world = scene.world;
     world.events.clear();
     world.throws.clear();
+    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+        core::EventDescription push;
+        push.body = static_cast<int>(i);
+        push.point = {0, world.bodies[i].size[1] / 2, 0};
+        push.radius = world.bodies[i].size[1];
+        push.vector = {0, 0, 1e-6};
+        push.duration = 1000;
+        world.events.push_back(push);
+    }
     for (int i = 0; i < count; ++i) {
         const core::BodyDescription& body = world.bodies[i % world.bodies.size()];
         core::EventDescription blast;

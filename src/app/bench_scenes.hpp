@@ -16,6 +16,7 @@ scene::Scene oneStepPerFrame(scene::Scene);
 
 /// Without its own events, and with so many explosions at once, one after the other at the middles
 /// of its bodies. They last, and are too weak to break anything: what differs is what they cost.
+/// So is a push of each body, which keeps all of them awake, explosions or not.
 scene::Scene withExplosions(scene::Scene, int count);
 
 /// One wall of the wood preset, one or two cells thick, hit at time 0. `tetrahedra` must be one of

@@ -177,30 +177,52 @@ bool BodyRun::blastWithin(std::int64_t from, std::int64_t to) const {
 Box BodyRun::bounds() const {
     constexpr double far = std::numeric_limits<double>::infinity();
     Box box{Vec3::Constant(far), Vec3::Constant(-far)};
-    const int index = storage_.arrays().index;
-    const Body& body = world_.bodies()[index];
-    for (int node = kCorners * body.firstCell;
-         node < kCorners * (body.firstCell + body.cellCount()); ++node) {
-        if (!world_.present(node / kCorners)) continue;
-        const Vec3 place = position(node);
-        box.low = box.low.cwiseMin(place);
-        box.high = box.high.cwiseMax(place);
+    const int cells = storage_.arrays().cells;
+    for (int place = 0; place < cells; ++place) {
+        if (rest()[kCorners * place].hasNaN()) continue;
+        for (int corner = 0; corner < kCorners; ++corner) {
+            const Vec3 x = positionAt(place, corner);
+            box.low = box.low.cwiseMin(x);
+            box.high = box.high.cwiseMax(x);
+        }
     }
     return box;
+}
+
+const std::vector<Eigen::Vector3f>& BodyRun::rest() const {
+    if (!rest_.empty()) return rest_;
+    const BodyArrays& a = storage_.arrays();
+    const Body& body = world_.bodies()[a.index];
+    rest_.assign(static_cast<std::size_t>(kCorners * a.cells),
+                 Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+    for (int place = 0; place < a.cells; ++place) {
+        const int cell = body.cellAt(a.coordinates(place));
+        if (!world_.present(cell)) continue;
+        for (int corner = 0; corner < kCorners; ++corner)
+            rest_[kCorners * place + corner] =
+                world_.restPosition(kCorners * cell + corner).cast<float>();
+    }
+    return rest_;
+}
+
+Vec3 BodyRun::positionAt(int place, int corner) const {
+    const BodyArrays& a = storage_.arrays();
+    Vec3 position = rest()[kCorners * place + corner].cast<double>();
+    for (int axis = 0; axis < 3; ++axis)
+        position[axis] += a.displacement[tiled(kNodeComponents, 3 * corner + axis, place)];
+    return position;
 }
 
 /// Into velocities, just before the nodes move by them: as it would be in the step's acceleration,
 /// but for rounding.
 void BodyRun::addBlasts(int first, int end) {
     const BodyArrays& a = storage_.arrays();
-    const Body& body = world_.bodies()[a.index];
     const double share = world_.step() / a.drag;  // the step lets velocities fade before it adds
     for (int place = first * kLanes; place < std::min(end * kLanes, a.cells); ++place) {
-        const int cell = body.cellAt(a.coordinates(place));
-        if (!world_.present(cell)) continue;
+        if (rest()[kCorners * place].hasNaN()) continue;
         for (int corner = 0; corner < kCorners; ++corner) {
             if (a.inverseMass[tiled(kCorners, corner, place)] == 0) continue;  // anchored
-            const Vec3 x = position(kCorners * cell + corner);
+            const Vec3 x = positionAt(place, corner);
             Vec3 sum = Vec3::Zero();
             for (const Blast& blast : blasts_) sum += blast.weight * blast.event->accelerationAt(x);
             for (int axis = 0; axis < 3; ++axis)

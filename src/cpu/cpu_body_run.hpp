@@ -112,6 +112,10 @@ class BodyRun {
     void gatherBlasts(std::int64_t step);
     bool blastWithin(std::int64_t from, std::int64_t to) const;
     void addBlasts(int first, int end);
+    /// m, of the nodes of the cell at each place, NaN where there is none: found when the first
+    /// blast is near. The world's are single-precision numbers.
+    const std::vector<Eigen::Vector3f>& rest() const;
+    core::Vec3 positionAt(int place, int corner) const;
     /// m, of its nodes.
     core::Box bounds() const;
     void updateSleep(bool calm);
@@ -124,6 +128,7 @@ class BodyRun {
     std::size_t ofWorld_ = 0;    ///< how many of them are of the world's events
     std::vector<Push> pushes_;   ///< at work in this step
     std::vector<Blast> blasts_;  ///< likewise
+    mutable std::vector<Eigen::Vector3f> rest_;
     std::vector<PartNews> news_;
     int reach_ = 0;  ///< vectors on either side of one that its nodes' neighbours may lie in
     float calmSpeed2_ = 0, creepSpeed2_ = 0;  ///< m²/s²
