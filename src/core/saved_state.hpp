@@ -24,11 +24,12 @@ inline constexpr char kStateMagic[] = "SundSave";
 inline constexpr std::uint32_t kStateFormat = 1;
 
 /// Where `solver` is. It goes on as if nothing had happened, to the bit, and so does every solver
-/// of the same name and of an equal world that restores the bytes. `auto` restores as setState()
-/// does: what sleeps wakes, what may touch is searched for anew. Waits for a GPU, as finish()
-/// does: incidents that were found go to the ring, and those after it are found again by whoever
-/// restores. What a look compares with (recent impulses, known breaks) is among the bytes where
-/// incidents are looked for. On the thread that advances the solver, as restoreState().
+/// of the same name and of an equal world that restores the bytes, advanced by the same numbers of
+/// steps. `auto` restores as setState() does: what sleeps wakes, what may touch is searched for
+/// anew. Waits for a GPU, as finish() does: incidents that were found go to the ring, and those
+/// after it are found again by whoever restores. What a look compares with (recent impulses, known
+/// breaks) is among the bytes where incidents are looked for. On the thread that advances the
+/// solver, as restoreState().
 std::vector<std::byte> saveState(const World& world, Solver& solver);
 
 /// Goes on from there; returns the step. `solver` is one of `world`. Incidents found before are

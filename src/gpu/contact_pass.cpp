@@ -268,7 +268,8 @@ std::vector<ContactPass::Found> ContactPass::readFound() const {
     for (int sphere = 0; sphere < spheres; ++sphere) {
         const vec4& summary = layers[0][sphere];
         if (summary == vec4(0)) continue;
-        Found& some = found.emplace_back(sphere, summary.y, summary.z, summary.w);
+        found.push_back({sphere, summary.y, summary.z, summary.w, {}});
+        Found& some = found.back();
         for (int i = 0; i < static_cast<int>(summary.x); ++i)
             some.partners.push_back(layers[1 + i / 4][sphere][i % 4]);
     }

@@ -189,9 +189,10 @@ void ObjectPass::read(State& state) const {
 void ObjectPass::archive(Archive& a, const std::function<bool(int object)>& asleep) {
     a.section("objects");
     Motion motion(static_cast<std::size_t>(SUNDER_OBJECT_LAYERS * count_));
-    for (int layer = 0; a.writes() && layer < SUNDER_OBJECT_LAYERS; ++layer)
-        std::ranges::copy(motion_[current_].read(layer, {0, count_}),
-                          motion.begin() + layer * count_);
+    for (int layer = 0; a.writes() && layer < SUNDER_OBJECT_LAYERS; ++layer) {
+        const std::vector<vec4> texels = motion_[current_].read(layer, {0, count_});
+        std::copy(texels.begin(), texels.end(), motion.begin() + layer * count_);
+    }
     archive(a, motion);
     std::vector<ObjectState> known = known_;
     for (ObjectState& state : known) core::archive(a, state);

@@ -74,6 +74,10 @@ void checkCrowd() {
     const std::vector<double> haste = solver.contactHaste();
     CHECK(*std::max_element(haste.begin(), haste.end()) > 1);
     CHECK(fresh.contactHaste() == solver.contactHaste());
+    Solver late(world, buffers);  // which no crowd is to come of
+    restoreState(world, late, saveState(world, solver));
+    CHECK(late.droppedContacts() == solver.droppedContacts());
+    CHECK(late.contactHaste() == solver.contactHaste());
     testContext().check();
 }
 
