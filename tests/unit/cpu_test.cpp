@@ -1,6 +1,7 @@
 // The `cpu` solver: the same result from any number of threads and any instruction set; memory.
 #include "cpu/cpu_solver.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 
@@ -17,7 +18,8 @@ using namespace sunder::core;
 namespace {
 
 /// A wall large enough to be split among threads, thick blocks of both orders of the axes, one of
-/// two materials, and small ones; all hit hard enough to break, crush and invert cells.
+/// two materials, and small ones, one of them turned; all hit hard enough to break, crush and
+/// invert cells.
 WorldDescription manyBodies() {
     Material tough = brittle(), whole = brittle(), green = brittle();
     tough.strength = tough.boundaryStrength = {8e4, 8e4, 8e4};
@@ -34,6 +36,10 @@ WorldDescription manyBodies() {
         body.size = Vec3(0.1, 0.08, 0.12).cwiseProduct(sizes[i].cast<double>());
         body.position = {4. + 2 * i, 0.01 * i, 0};
         body.material = i % 4;
+        if (i == 4) {
+            body.orientation = Eigen::AngleAxisd(0.8, Vec3(1, 2, 2) / 3);
+            body.position[1] = 0.6;
+        }
         if (i == 0) body.regions = {{{1, 1, 0}, {3, 3, 1}, 2}, {{4, 2, 0}, {6, 4, 2}, 3}};
         if (i == 1) body.regions = {{{1, 0, 2}, {1, 1, 3}, -1}};
         d.bodies.push_back(body);
