@@ -24,7 +24,7 @@ std::string copyName(const BodyDescription& body, std::int64_t number) {
 
 void BodyReader::readAll(const TableReader& scene) {
     const TableReader::Keys keys{"name",     "material",    "size",   "cells",
-                                 "position", "orientation", "anchor", "copies",
+                                 "position", "rotation", "anchor", "copies",
                                  "spacing",  "region",      "overlap"};
     const std::vector<TableReader> readers = scene.tables("body", keys, kMaxBodies);
     if (readers.empty())
@@ -41,7 +41,7 @@ void BodyReader::readBody(const TableReader& reader) {
     reader.require("cells", "the number of cells along x, y, z, such as [30, 20, 1]");
     reader.read(bodyRules(), body);
     RotationDescription degrees;
-    reader.read(kOrientationRule, degrees);
+    reader.read(kRotationRule, degrees);
     body.orientation = fromDegrees(degrees.rotation);
     body.mayOverlap = readOverlap(reader);
     body.where = reader.where("position");

@@ -65,8 +65,5 @@ inline constexpr core::Rule<RotationDescription> kRotationRule{
     {-360, 360, "degrees"},
     &RotationDescription::rotation,
     "Angles about the world's x axis, then y, then z."};
-inline constexpr core::Rule<RotationDescription> kOrientationRule{
-    "orientation", kRotationRule.range, &RotationDescription::rotation,
-    "Angles about its position: about the world's x axis, then y, then z."};
 
 }  // namespace sunder::scene

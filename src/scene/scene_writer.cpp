@@ -113,7 +113,7 @@ void addBody(Writer& out, const BodyDescription& body, const std::string& name,
     out.add("cells", body.cells);
     out.add("position", body.position);
     if (const Vec3 degrees = toDegrees(body.orientation); !degrees.isZero(0))
-        out.add("orientation", degrees);
+        out.add("rotation", degrees);
     std::string anchors;
     for (const Side side : body.anchors)
         anchors += (anchors.empty() ? "" : ", ") + text(kSideNames[static_cast<int>(side)]);

@@ -103,7 +103,7 @@ TEST_CASE("documents say the ranges that are checked", "[rules]") {
     CHECK(compare(scene::cameraRules(), scenes("`[camera]`")) == 2);
     CHECK(compare(bodyRules(), scenes("`[[body]]`")) == 3);
     CHECK(compare(scene::copiesRules(), scenes("`[[body]]`")) == 2);
-    CHECK(compare(std::span(&scene::kOrientationRule, 1), scenes("`[[body]]`")) == 1);
+    CHECK(compare(std::span(&scene::kRotationRule, 1), scenes("`[[body]]`")) == 1);
     CHECK(compare(objectRules(), scenes("`[[object]]`")) == 8);
     CHECK(compare(shapeRules(ObjectShape::Sphere), scenes("`[[object]]`")) == 1);
     CHECK(compare(shapeRules(ObjectShape::Box), scenes("`[[object]]`")) == 1);

@@ -114,7 +114,7 @@ vector = [0, 0, -2]
 
 TEST_CASE("A body is turned about the world's x axis, then y, then z", "[scene]") {
     const scene::Scene scene = scene::parseScene(
-        std::string(kBody) + "position = [1, 2, 3]\norientation = [90, 0, 90]\n", "walls.toml", {});
+        std::string(kBody) + "position = [1, 2, 3]\nrotation = [90, 0, 90]\n", "walls.toml", {});
     const BodyDescription& body = scene.world.bodies[0];
     CHECK((body.orientation * Vec3(0, 1, 0) - Vec3(0, 0, 1)).norm() < 1e-15);
     CHECK((body.orientation * Vec3(0, 0, 1) - Vec3(1, 0, 0)).norm() < 1e-15);
@@ -122,7 +122,7 @@ TEST_CASE("A body is turned about the world's x axis, then y, then z", "[scene]"
     // Turned copies may stand nearer to each other than their width: World sees whether they fit.
     const scene::Scene rows = scene::parseScene(
         std::string(kBody) +
-            "orientation = [0, 90, 0]\ncopies = [3, 1, 1]\nspacing = [0.9, 0, 0]\n",
+            "rotation = [0, 90, 0]\ncopies = [3, 1, 1]\nspacing = [0.9, 0, 0]\n",
         "walls.toml", {});
     CHECK(rows.world.bodies.size() == 3);
     CHECK(rows.world.bodies[2].orientation.coeffs() == rows.world.bodies[0].orientation.coeffs());

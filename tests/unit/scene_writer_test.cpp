@@ -84,7 +84,7 @@ TEST_CASE("Bodies that are turned are saved as they were written", "[scene]") {
     for (const char* angles : {"[0, 30, 0]", "[10, 20, -30.5]", "[0, 90, 0]", "[0, -90, 25]",
                                "[-90, 0, 0]", "[0, 0, 180]", "[170, 45, 1e-05]"}) {
         INFO(angles);
-        const std::string line = std::string("orientation = ") + angles + "\n";
+        const std::string line = std::string("rotation = ") + angles + "\n";
         const scene::Scene scene =
             scene::parseScene(body + line + "position = [0, 9, 0]\n", "turned.toml", {});
         const std::string text = scene::writeScene(scene);
@@ -95,13 +95,13 @@ TEST_CASE("Bodies that are turned are saved as they were written", "[scene]") {
     }
     // Of many triples of angles that are the same turn, another one may be written.
     const scene::Scene scene = scene::parseScene(
-        std::string(body) + "orientation = [200, 100, -300]\nposition = [0, 9, 0]\n", "turned.toml",
+        std::string(body) + "rotation = [200, 100, -300]\nposition = [0, 9, 0]\n", "turned.toml",
         {});
     const scene::Scene again = scene::parseScene(scene::writeScene(scene), "turned.toml", {});
     CHECK(std::abs(again.world.bodies[0].orientation.dot(scene.world.bodies[0].orientation)) ==
           Approx(1).margin(1e-15));
     CHECK(scene::writeScene(again) == scene::writeScene(scene));
-    CHECK(scene::writeScene(scene::parseScene(body, "plain.toml", {})).find("orientation") ==
+    CHECK(scene::writeScene(scene::parseScene(body, "plain.toml", {})).find("rotation") ==
           std::string::npos);
 }
 
