@@ -65,11 +65,11 @@ struct Setting {
     std::vector<Subject> subjects;
 
     Setting() {
-        add(std::make_unique<cpu::CpuSolver>(world, 1));
-        add(std::make_unique<cpu::ReferenceSolver>(world));
+        add(std::make_unique<cpu::CpuSolver>(world, 1), true);
+        add(std::make_unique<cpu::ReferenceSolver>(world), false);
     }
 
-    void add(std::unique_ptr<Solver> solver) {
+    void add(std::unique_ptr<Solver> solver, bool sleeps) {
         Subject& subject = subjects.emplace_back();
         solver->setIncidents(&ring);
         EventDescription push;
@@ -79,11 +79,12 @@ struct Setting {
         push.radius = 9;
         push.vector = {0.1, 0, 0};
         solver->push(world.makeEvent(push));
-        // At the start, in the midst of the break, and where `cpu` has let things sleep.
-        for (const int steps : {0, 13, 1487}) {
+        // At the start, in the midst of the break, and later, when `cpu` has let something sleep.
+        for (const int steps : {0, 13, sleeps ? 1487 : 37}) {
             solver->advance(steps);
             subject.saved.push_back(saveState(world, *solver));
         }
+        if (sleeps && !(solver->asleep(0) || solver->asleep(1))) std::abort();
         subject.solver = std::move(solver);
     }
 };
