@@ -12,7 +12,6 @@ find_package(TBB REQUIRED CONFIG)     # threads: oneTBB
 find_path(TOML_INCLUDE_DIR toml++/toml.h REQUIRED)
 add_library(sunder_toml INTERFACE)
 target_include_directories(sunder_toml SYSTEM INTERFACE ${TOML_INCLUDE_DIR})
-target_compile_definitions(sunder_toml INTERFACE TOML_HEADER_ONLY=0)
 
 if(NOT SUNDER_GL)
   return()

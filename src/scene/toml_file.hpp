@@ -1,5 +1,5 @@
 #pragma once
-#include <toml++/toml.h>
+#include "scene/toml.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,3 +1,3 @@
-// What toml++ is beside its headers.
+// What toml++ has beside its headers.
 #define TOML_IMPLEMENTATION
-#include <toml++/toml.h>
+#include "scene/toml.hpp"
