@@ -23,9 +23,8 @@ std::string copyName(const BodyDescription& body, std::int64_t number) {
 }  // namespace
 
 void BodyReader::readAll(const TableReader& scene) {
-    const TableReader::Keys keys{"name",     "material",    "size",   "cells",
-                                 "position", "rotation", "anchor", "copies",
-                                 "spacing",  "region",      "overlap"};
+    const TableReader::Keys keys{"name",   "material", "size",    "cells",  "position", "rotation",
+                                 "anchor", "copies",   "spacing", "region", "overlap"};
     const std::vector<TableReader> readers = scene.tables("body", keys, kMaxBodies);
     if (readers.empty())
         scene.fail(
