@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -6,6 +7,7 @@
 #include "core/limits.hpp"
 #include "core/loss_notes.hpp"
 #include "core/pieces.hpp"
+#include "core/saved_state.hpp"
 #include "core/wording.hpp"
 #include "sunder/convert.hpp"
 #include "sunder/guard.hpp"
@@ -49,6 +51,20 @@ const sim::SolverInfo& findCpuSolver(std::string_view name) {
     }
     throw core::InputError("there is no solver '" + std::string(name) +
                            "' without a device; known: " + names);
+}
+
+constexpr std::size_t kWord = 8;  ///< bytes of a number that saveState() adds
+
+void append(std::vector<std::byte>& bytes, std::uint64_t word) {
+    for (std::size_t i = 0; i < kWord; ++i)
+        bytes.push_back(static_cast<std::byte>(word >> 8 * i & 0xff));
+}
+
+std::uint64_t wordAt(std::span<const std::byte> bytes, std::size_t at) {
+    std::uint64_t word = 0;
+    for (std::size_t i = 0; i < kWord; ++i)
+        word |= static_cast<std::uint64_t>(bytes[at + i]) << 8 * i;
+    return word;
 }
 
 /// Keeps what is said once.
@@ -140,7 +156,8 @@ Result<void> World::step(double seconds) {
         checkNumber(seconds, 0, kMostSeconds, "a step's seconds");
         const double length = w.world().step(), due = w.rest + seconds;
         // What is missing of a substep by rounding alone is not waited for.
-        const auto steps = static_cast<int>(std::floor(due / length + 1e-6));
+        // Nor does time go back where a rounding left less than nothing.
+        const auto steps = static_cast<int>(std::max(std::floor(due / length + 1e-6), 0.));
         w.simulation->advance(steps);
         w.rest = due - steps * length;
         if (w.backend) w.backend->check();
@@ -221,8 +238,11 @@ Result<std::vector<std::byte>> World::saveState() const {
     Impl& w = *impl_;
     return w.within([&]() -> Result<std::vector<std::byte>> {
         std::vector<std::byte> bytes = w.simulation->saveState();
-        const auto rest = std::bit_cast<std::uint64_t>(w.rest);
-        for (int i = 0; i < 8; ++i) bytes.push_back(static_cast<std::byte>(rest >> 8 * i & 0xff));
+        append(bytes, std::bit_cast<std::uint64_t>(w.rest));
+        append(bytes, 0);
+        const std::uint64_t checksum = core::stateChecksum(bytes);
+        bytes.resize(bytes.size() - kWord);
+        append(bytes, checksum);
         return bytes;
     });
 }
@@ -230,17 +250,18 @@ Result<std::vector<std::byte>> World::saveState() const {
 Result<void> World::restoreState(std::span<const std::byte> bytes) {
     Impl& w = *impl_;
     return w.within([&]() -> Result<void> {
-        // What follows the simulation's bytes: seconds that no substep has taken up.
-        std::uint64_t bits = 0;
-        if (bytes.size() < sizeof bits)
+        // What follows the simulation's bytes: seconds that no substep has taken up, and a checksum
+        // of all, since the simulation's own is not one of these seconds.
+        if (bytes.size() < 2 * kWord)
             throw core::InputError("a saved state of " + std::to_string(bytes.size()) +
                                    " bytes was cut short");
-        const std::span<const std::byte> last = bytes.last(sizeof bits);
-        for (int i = 0; i < 8; ++i) bits |= static_cast<std::uint64_t>(last[i]) << 8 * i;
-        const auto rest = std::bit_cast<double>(bits);
-        if (!(std::abs(rest) <= w.world().step()))
-            throw core::InputError("a saved state ends in bytes that saveState() does not write");
-        w.simulation->restoreState(bytes.first(bytes.size() - sizeof bits));
+        const std::size_t inside = bytes.size() - 2 * kWord;
+        const auto rest = std::bit_cast<double>(wordAt(bytes, inside));
+        const bool whole = wordAt(bytes, inside + kWord) == core::stateChecksum(bytes);
+        if (!whole || !(std::abs(rest) <= w.world().step()))
+            throw core::InputError(
+                "a saved state was cut or changed since; restore what saveState() gave");
+        w.simulation->restoreState(bytes.first(inside));
         w.rest = rest;
         return {};
     });
