@@ -1,3 +1,4 @@
+#include <cstring>
 #include <new>
 #include <string>
 
@@ -22,6 +23,15 @@ void put(const Vec3& from, double* to) {
     to[0] = from.x;
     to[1] = from.y;
     to[2] = from.z;
+}
+
+/// An enumeration's number. C can put any into it, which C++ must not read as the enumeration.
+template <class Enumeration>
+int numberIn(const Enumeration& enumeration) {
+    int number = 0;
+    static_assert(sizeof number == sizeof enumeration);
+    std::memcpy(&number, &enumeration, sizeof number);
+    return number;
 }
 
 /// `work` returns a Result; null pointers among `needed` are refused.
@@ -154,11 +164,16 @@ sunder_status sunder_desc_add_body(sunder_desc* desc, const sunder_body* body, i
 sunder_status sunder_desc_add_object(sunder_desc* desc, const sunder_object* object, int* index) {
     return run({desc, object}, [&]() -> Result<void> {
         Object d;
-        d.shape = static_cast<Object::Shape>(object->shape);
+        d.shape = static_cast<Object::Shape>(numberIn(object->shape));
         d.size = vec3(object->size);
         d.mass = object->mass;
-        d.isFixed = object->motion == SUNDER_FIXED;
-        d.isKinematic = object->motion == SUNDER_KINEMATIC;
+        const int motion = numberIn(object->motion);
+        if (motion < SUNDER_FREE || motion > SUNDER_KINEMATIC)
+            return Error{Error::Code::Input,
+                         "an object's motion must be one of its enumeration's values, not " +
+                             std::to_string(motion)};
+        d.isFixed = motion == SUNDER_FIXED;
+        d.isKinematic = motion == SUNDER_KINEMATIC;
         if (object->present) d.position = vec3(object->position);
         d.orientation = quat(object->orientation);
         d.velocity = vec3(object->velocity);

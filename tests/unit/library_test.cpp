@@ -1,6 +1,7 @@
 // The public interface, on the CPU: sunder/sunder.hpp and sunder/sunder.h.
 #include <atomic>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <thread>
 
@@ -469,6 +470,10 @@ TEST_CASE("library: C has what C++ has") {
     ball.position[2] = 0.4;
     ball.velocity[2] = -20;
     REQUIRE(sunder_desc_add_object(desc, &ball, nullptr) == SUNDER_OK);
+    sunder_object wrong = ball;
+    const int motion = 77;  // any number, as in C
+    std::memcpy(&wrong.motion, &motion, sizeof motion);
+    CHECK(sunder_desc_add_object(desc, &wrong, nullptr) == SUNDER_INPUT);
     sunder_world* world = sunder_world_create(desc, nullptr, nullptr);
     REQUIRE(world);
     World same = made(wallAndBall());
