@@ -300,15 +300,16 @@ std::int64_t World::droppedIncidents() const {
 std::optional<RayHit> World::castRay(Vec3 origin, Vec3 direction) const {
     Impl& w = *impl_;
     const core::Vec3 from = toCore(origin), along = toCore(direction);
-    const double length = along.norm();
-    if (!from.allFinite() || !std::isfinite(length) || length == 0) return std::nullopt;
+    // Whose square may be beyond what numbers hold.
+    const double length = along.stableNorm();
+    if (!from.allFinite() || !along.allFinite() || !(length > 0)) return std::nullopt;
     std::optional<surface::Spot> spot;
     (void)w.within([&]() -> Result<void> {
         if (!w.picker) {
             w.mesh.emplace(w.world());
             w.picker.emplace(w.world(), *w.mesh);
         }
-        spot = w.picker->pick(w.simulation->state(), from, along / length);
+        spot = w.picker->pick(w.simulation->state(), from, along.stableNormalized());
         return {};
     });
     if (!spot) return std::nullopt;

@@ -92,22 +92,11 @@ class ReadCounter {
             ++count_;
             original_->GetBufferSubData(a, b, c, d);
         };
-        functions.MapBufferRange = [](GLenum a, GLintptr b, GLsizeiptr c, GLbitfield d) {
-            ++count_;
-            return original_->MapBufferRange(a, b, c, d);
-        };
-        functions.MapBuffer = [](GLenum a, GLenum b) {
-            ++count_;
-            return original_->MapBuffer(a, b);
-        };
         functions.ReadPixels = [](GLint a, GLint b, GLsizei c, GLsizei d, GLenum e, GLenum f,
                                   void* g) {
-            ++count_;
+            // Into a buffer, nobody waits for it.
+            count_ += gl::boundName(GL_PIXEL_PACK_BUFFER_BINDING) == 0;
             original_->ReadPixels(a, b, c, d, e, f, g);
-        };
-        functions.GetTexImage = [](GLenum a, GLint b, GLenum c, GLenum d, void* e) {
-            ++count_;
-            original_->GetTexImage(a, b, c, d, e);
         };
         functions.Finish = [] {
             ++count_;
@@ -295,24 +284,25 @@ TEST_CASE("library: pushes, throws and surfaces read nothing back") {
         World pushed = made(wallAndBall(), {.device = &device, .solver = solver, .incidents = 0});
         gl::Surface surface(device, pushed);
         ReadCounter counter(device.impl().driver->functions());
-        int mostReads = 0, readsOfPushed = 0;
+        // Without incidents, there are looks for sleepers and contacts left out alone: answers that
+        // came two looks ago, of which there is one a sixtieth of a second or so.
+        std::vector<int> reads, readsOfPushed;
         for (int frame = 0; frame < 8; ++frame) {
+            const Push blast{.at = {0, 0.3, 0}, .radius = 0.2, .outward = 0.1, .falloff = true};
+            REQUIRE(quiet.push(blast));  // which keeps it awake
+            REQUIRE(quiet.throwObject({.object = 0, .from = {0, 0.5, 2}}));
             REQUIRE(quiet.step(kFrame));
-            const int reads = ReadCounter::take();
-            mostReads = std::max(mostReads, reads);
-            for (int i = 0; i < 100; ++i)
-                REQUIRE(pushed.push({.at = {0.01 * i - 0.5, 0.3, 0},
-                                     .radius = 0.2,
-                                     .outward = 0.1,
-                                     .falloff = true}));
+            reads.push_back(ReadCounter::take());
+            for (int i = 0; i < 100; ++i) REQUIRE(pushed.push(blast));
             REQUIRE(pushed.throwObject({.object = 0, .from = {0, 0.5, 2}}));
             REQUIRE(pushed.step(kFrame));
             REQUIRE(surface.update());
-            readsOfPushed = std::max(readsOfPushed, ReadCounter::take());
+            readsOfPushed.push_back(ReadCounter::take());
         }
-        // Without incidents, there are looks for sleepers and contacts left out alone: answers that
-        // came two looks ago.
-        CHECK(readsOfPushed <= mostReads);
+        for (std::size_t frame = 0; frame < reads.size(); ++frame) {
+            INFO("frame " << frame);
+            CHECK(readsOfPushed[frame] <= reads[frame]);
+        }
         CHECK(pushed.stateHash());
         CHECK(ReadCounter::take() > 0);  // it does count
         CHECK(*pushed.stateHash() != *quiet.stateHash());

@@ -294,6 +294,8 @@ TEST_CASE("library: a ray meets the wall as it stands, and the ball in front of 
     CHECK(ball->body == -1);
     CHECK(ball->place.z == Approx(0.55).margin(1e-9));
     CHECK_FALSE(world.castRay({5, 5, 5}, {0, 0, 1}).has_value());
+    for (const double length : {1e-200, 1e200})
+        CHECK(world.castRay({0.5, 0.5, 3}, {0, 0, -length})->place == wall->place);
     // What moves is met where it is.
     REQUIRE(world.step(0.005));
     CHECK(world.castRay({0, 0.6, 3}, {0, 0, -1})->place.z < 0.48);
