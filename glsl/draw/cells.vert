@@ -52,6 +52,7 @@ void main() {
     lattice = ivec4(0);
     parity_ = inside = crackedEdges = 0u;
     if (law == SUNDER_ABSENT || !drawnHere(law)) return;
+    if (texelFetch(damage, damageStride * cell).w == SUNDER_GONE) return;
 
     int body = int(texelFetch(cells, cell).g);
     ivec4 cellsOfBody = ivec4(texelFetch(bodies, SUNDER_BODY_TEXELS * body));

@@ -126,8 +126,9 @@ vec3 displacementAt(int c, vec3 u) {
     return sum;
 }
 
-// Whether the bond through the vertex's face holds: then nothing can see it.
+// Whether the bond through the vertex's face holds, or the body is not there: then nothing can see it.
 bool hidden() {
+    if (texelFetch(damage, damageStride * int(owner.x)).w == SUNDER_GONE) return true;
     uint code = owner.y;
     if ((code & SUNDER_DISPLAY_FACE_INNER) == 0u) return false;
     int axis = int(code >> uint(SUNDER_DISPLAY_FACE_BIT + 1) & 3u);

@@ -31,6 +31,8 @@ mat3 biot(int cell, int tetrahedron) {
 void main() {
     vec3 d = damage.xyz;
     newSlow = slow;
+    newDamage = damage;
+    if (damage.w == SUNDER_GONE) return;
     updateBonds(gl_VertexID, d, newSlow);
     newDamage = vec4(d, 0.0);
 }

@@ -115,9 +115,11 @@ struct NodeRecord {
 
 // One cell in a bond buffer: two texels, or two layers of a texture.
 struct BondRecord {
-    vec4 damage; // of the bonds through the +x, +y, +z faces; w: 0
+    vec4 damage; // of the bonds through the +x, +y, +z faces; w: 0, or SUNDER_GONE where the body is not there
     vec4 slow;   // slow part of their tractions, Pa; w: of the cell's largest principal stress
 };
+
+#define SUNDER_GONE (-1.0)
 
 // One cell's joints, written whenever bonds may have broken: three texels, or three layers of a texture.
 struct LinkRecord {

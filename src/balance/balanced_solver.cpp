@@ -37,7 +37,7 @@ BalancedSolver::BalancedSolver(const World& world, const gpu::WorldBuffers& buff
 void BalancedSolver::advance(int steps) {
     std::vector<bool> awake;
     for (int body = 0; body < static_cast<int>(world_.bodies().size()); ++body)
-        awake.push_back(!asleep(body));
+        awake.push_back(present(body) && !asleep(body));
     if (world_.description().contact)
         awake = {!world_.objects().empty() || std::count(awake.begin(), awake.end(), true) > 0};
     const bool measure = balancer_.frame(awake);
@@ -81,7 +81,7 @@ std::optional<int> BalancedSolver::bodiesOnGpu() const {
 State BalancedSolver::state() const {
     State state = gather_.state();
     for (int body = 0; body < static_cast<int>(world_.bodies().size()); ++body)
-        if (!onGpu(body)) cpu_.store(body, state);
+        if (!onGpu(body) && present(body)) cpu_.store(body, state);
     if (!onGpu(0)) cpu_.storeObjects(state);
     return state;
 }
@@ -98,6 +98,7 @@ void BalancedSolver::archive(Archive& a) {
     now.step = a.step(now.step);
     a.section("pushes");
     a.list(now.pushes, kMaxPushes, [&](Event& event) { core::archive(a, world_, event); });
+    archiveAbsent(a, world_, now.absent);
     archiveCells<float>(a, world_, now);
     a.section("objects");
     for (ObjectState& object : now.objects) core::archive(a, object);
@@ -114,7 +115,7 @@ bool BalancedSolver::objectAsleep(int object) const {
 
 gpu::StateView BalancedSolver::view() {
     for (int body = 0; body < static_cast<int>(world_.bodies().size()); ++body) {
-        if (onGpu(body)) continue;
+        if (onGpu(body) || !present(body)) continue;
         cpu_.store(body, scratch_);
         gather_.show(body, scratch_);
     }

@@ -37,6 +37,11 @@ class BalancedSolver : public gpu::GpuSolver {
         else
             cpu_.putObject(object, state);
     }
+    void setPresent(int body, bool present) override {
+        gather_.setPresent(body, present);
+        cpu_.setPresent(body, present);
+    }
+    bool present(int body) const override { return cpu_.present(body); }
     bool asleep(int body) const override;
     bool objectAsleep(int object) const override;
     /// Of the bodies on the GPU; `cpu` has room for all.

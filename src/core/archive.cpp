@@ -1,6 +1,8 @@
 #include "core/archive.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "core/fnv.hpp"
 #include "core/world.hpp"
@@ -58,6 +60,14 @@ void archiveCells(Archive& a, const World& world, State& state) {
 
 template void archiveCells<float>(Archive&, const World&, State&);
 template void archiveCells<double>(Archive&, const World&, State&);
+
+void archiveAbsent(Archive& a, const World& world, std::vector<int>& absent) {
+    a.section("bodies");
+    std::vector<int> got;
+    for (int body = 0; body < static_cast<int>(world.bodies().size()); ++body)
+        if (a.flag(std::binary_search(absent.begin(), absent.end(), body))) got.push_back(body);
+    absent = std::move(got);
+}
 
 bool isBond(const World& world, int bond) {
     const int cell = bond / kBondsPerCell;

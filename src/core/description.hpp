@@ -41,6 +41,9 @@ struct BodyDescription {
     std::vector<Side> anchors;               ///< sides that do not move, each once
     std::vector<RegionDescription> regions;  ///< later ones override earlier ones; up to 256
     bool mayOverlap = false;                 ///< when the world begins (core/overlap.hpp)
+    /// Whether it is there when the world begins. False: laid out and checked as the others are,
+    /// but not there until Solver::setPresent() puts it there.
+    bool present = true;
     std::string where;  ///< for error messages, for example "wood.toml:31: body 1: position"
 };
 

@@ -53,7 +53,7 @@ Diagnostics diagnose(const World& world, const State& state) {
     Diagnostics d;
     d.minY = std::numeric_limits<double>::infinity();
     for (int cell = 0; cell < world.cellCount(); ++cell) {
-        if (!world.present(cell)) continue;
+        if (!world.present(cell, state)) continue;
         const Body& body = world.bodies()[world.bodyOf(cell)];
         bool finite = true;
         for (int node = kCorners * cell; node < kCorners * (cell + 1); ++node) {
@@ -119,6 +119,7 @@ std::uint64_t stateHash(const State& state) {
         add(object.velocity);
         add(object.angularMomentum);
     }
+    for (const int body : state.absent) add(Vec3::Constant(body));
     return hash;
 }
 

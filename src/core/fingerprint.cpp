@@ -40,7 +40,8 @@ void addBodies(Hash& hash, const World& world) {
     for (std::size_t i = 0; i < world.bodies().size(); ++i) {
         const Body& body = world.bodies()[i];
         hash.add(body.cells, body.cellSize, body.origin, body.drag, body.gravity, body.calmest,
-                 world.description().bodies[i].anchors.size());
+                 world.description().bodies[i].anchors.size(),
+                 world.description().bodies[i].present);
     }
     for (const ElementLaw& law : world.laws()) {
         const Material& m = world.description().materials[law.material];

@@ -21,7 +21,7 @@ Pieces findPieces(const World& world, const State& state) {
     Pieces pieces;
     pieces.ofCell.assign(world.cellCount(), -1);
     for (int cell = 0; cell < world.cellCount(); ++cell) {
-        if (!world.present(cell)) continue;
+        if (!world.present(cell, state)) continue;
         const int first = root(cell);  // never after `cell`: the smaller index is always the root
         pieces.ofCell[cell] = first == cell ? pieces.count++ : pieces.ofCell[first];
     }

@@ -130,6 +130,19 @@ RestIslands::Touches restTouches(const World& world, std::vector<RestBox> boxes,
     return touches;
 }
 
+std::vector<int> membersNear(const std::vector<RestBox>& own, const std::vector<RestBox>& boxes) {
+    std::vector<int> members;
+    for (const RestBox& box : boxes) {
+        if (!members.empty() && members.back() == box.member) continue;
+        const bool near = std::any_of(own.begin(), own.end(), [&](const RestBox& mine) {
+            return (mine.low.array() <= box.high.array()).all() &&
+                   (box.low.array() <= mine.high.array()).all();
+        });
+        if (near) members.push_back(box.member);
+    }
+    return members;
+}
+
 std::vector<int> settleTouching(RestIslands& islands, const World& world,
                                 const std::vector<RestIslands::Status>& status,
                                 const std::function<void(std::vector<RestBox>&)>& addBodyBoxes,

@@ -59,6 +59,9 @@ inline constexpr int kCellsPerRestBox = 16;
 double restReach(const Body& body);
 RestBox restBoxOf(const World& world, int object, const ObjectState& state);
 
+/// Members with boxes that meet any of a body's own.
+std::vector<int> membersNear(const std::vector<RestBox>& own, const std::vector<RestBox>& boxes);
+
 /// RestIslands::settle(), with what touches found out where somebody is ready. addBodyBoxes: adds
 /// the boxes of the bodies that are not Apart.
 std::vector<int> settleTouching(RestIslands& islands, const World& world,

@@ -21,7 +21,7 @@ namespace sunder::core {
 
 inline constexpr char kStateMagic[] = "SundSave";
 /// Another one with every change of what any part of a solver archives.
-inline constexpr std::uint32_t kStateFormat = 1;
+inline constexpr std::uint32_t kStateFormat = 2;
 
 /// Where `solver` is. It goes on as if nothing had happened, to the bit, and so does every solver
 /// of the same name and of an equal world that restores the bytes, advanced by the same numbers of

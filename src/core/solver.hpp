@@ -43,6 +43,16 @@ class Solver {
     /// Puts an object somewhere at once, as a throw does at its time: the same bits follow. It
     /// wakes, and what it may hit.
     virtual void putObject(int object, const ObjectState& state) = 0;
+    /// Puts a body there, or takes it away, at once. One that is put there is whole, at rest where
+    /// it was described, and awake, and wakes what sleeps around it; what lies in its way by then
+    /// is pushed out. One that is taken away touches nothing, does not move, and wakes what slept
+    /// on it; pushes act on it only while it is there. Contacts are searched for at once. At steps
+    /// divisible by kContactInterval, where that is due anyway, what touches no such body has the
+    /// same bits with and without it. Nothing changes where it is as it should be already. Of the
+    /// solvers on a GPU, `scatter` waits for it.
+    virtual void setPresent(int body, bool present) = 0;
+    /// Whether a body is there.
+    virtual bool present(int body) const = 0;
     /// How many bodies a GPU has at the moment, where a solver shares them out; else nothing.
     virtual std::optional<int> bodiesOnGpu() const { return std::nullopt; }
     /// Whether a solver that measures where bodies are best off knows it, for the load as it is.

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +23,12 @@ struct State {
     std::vector<ObjectState> objects;
     /// Events that were given to the solver (Solver::push()) and have not ended.
     std::vector<Event> pushes;
+    /// Bodies that are not there (Solver::setPresent()), ascending. Their numbers are those of
+    /// World::initialState().
+    std::vector<int> absent;
+
+    /// Whether a body is there.
+    bool has(int body) const { return !std::binary_search(absent.begin(), absent.end(), body); }
 };
 
 }  // namespace sunder::core

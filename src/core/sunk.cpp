@@ -27,7 +27,7 @@ struct Solid {
 std::vector<Solid> solidsOf(const World& world, const State& state) {
     std::vector<Solid> solids;
     for (int cell = 0; cell < world.cellCount(); ++cell) {
-        if (!world.present(cell)) continue;
+        if (!world.present(cell, state)) continue;
         Vec3 centre = Vec3::Zero();
         for (int node = kCorners * cell; node < kCorners * (cell + 1); ++node)
             centre += (world.restPosition(node) + state.displacement[node]) / kCorners;

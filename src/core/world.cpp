@@ -372,6 +372,8 @@ State World::initialState() const {
     }
     for (const ObjectDescription& object : description_.objects)
         state.objects.push_back(sunder::core::initialState(object));
+    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
+        if (!description_.bodies[body].present) state.absent.push_back(body);
     return state;
 }
 

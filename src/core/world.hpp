@@ -79,6 +79,10 @@ class World {
 
     /// False for cells a region removed.
     bool present(int cell) const { return cellLaw_[cell] >= 0; }
+    /// False for the cells of bodies that are not there, too.
+    bool present(int cell, const State& state) const {
+        return present(cell) && state.has(bodyOf(cell));
+    }
     int bodyOf(int cell) const { return cellBody_[cell]; }
     /// Row of laws(), or −1 for an absent cell.
     int lawOf(int cell) const { return cellLaw_[cell]; }

@@ -39,7 +39,7 @@ std::vector<CellBox> cellsIn(const World& world, const State& state, int index, 
     std::vector<CellBox> cells;
     const Body& body = world.bodies()[index];
     for (int cell = body.firstCell; cell < body.firstCell + body.cellCount(); ++cell) {
-        if (!world.present(cell)) continue;
+        if (!world.present(cell, state)) continue;
         const Box box = cellBox(world, state, cell, 1);
         if (box.overlaps(where)) cells.push_back({cell, box});
     }

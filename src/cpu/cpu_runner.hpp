@@ -11,7 +11,9 @@ namespace sunder::cpu {
 
 struct CpuSolver::BodyRun : cpu::BodyRun {
     using cpu::BodyRun::BodyRun;
-    bool held = true;
+    bool held = true;     ///< by this solver, not by another
+    bool present = true;  ///< in the world
+    bool active() const { return held && present; }
 };
 
 /// The threads, and how bodies are shared out to them.

@@ -46,13 +46,13 @@ void CpuSolver::shareOut() {
     runner.split.clear();
     runner.whole.clear();
     int cells = 0;
-    for (const auto& run : bodies_) cells += run->held ? run->cells() : 0;
+    for (const auto& run : bodies_) cells += run->active() ? run->cells() : 0;
     // A body is split when one thread alone would still be at it after the others were done.
     const int fairShare = cells / (2 * runner.team.size());
     runner.largeCells = std::max(fairShare, 2 * kVectorsPerPart * cpu::kLanes);
     for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
         const BodyRun& run = *bodies_[body];
-        if (!run.held) continue;
+        if (!run.active()) continue;
         const bool large = run.cells() > runner.largeCells;
         (runner.team.size() > 1 && large ? runner.split : runner.whole).push_back(body);
     }
@@ -63,8 +63,10 @@ CpuSolver::~CpuSolver() = default;
 
 void CpuSolver::advance(int steps) {
     Runner& runner = *runner_;
+    const bool holdsAny =
+        std::any_of(bodies_.begin(), bodies_.end(), [](const auto& run) { return run->held; });
     runner.team.run([&] {
-        if (!runner.contact || (runner.whole.empty() && runner.split.empty())) {
+        if (!runner.contact || !holdsAny) {
             advanceTo(step_ + steps, false);
             return;
         }
@@ -232,14 +234,14 @@ void CpuSolver::searchContacts() {
     cpu::Contact& contact = *runner.contact;
     std::vector<cpu::Contact::BodyStatus> status(bodies_.size());
     std::vector<bool> held;
-    for (const auto& run : bodies_) held.push_back(run->held);
+    for (const auto& run : bodies_) held.push_back(run->active());
     for (bool again = true; again;) {
         again = false;
         bool awake = false;
         for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
             const BodyRun& run = *bodies_[body];
-            const bool moves = run.held && !run.asleep();
-            status[body] = {run.held, moves, run.relinks()};
+            const bool moves = run.active() && !run.asleep();
+            status[body] = {run.active(), moves, run.relinks()};
             awake |= moves;
         }
         if (awake)
@@ -299,7 +301,7 @@ void CpuSolver::rest() {
     if (runner.objects) runner.objects->look(runner.restInterval);
     std::vector<Status> status;
     for (const auto& run : bodies_)
-        status.push_back(!run->held      ? Status::Apart
+        status.push_back(!run->active()  ? Status::Apart
                          : run->asleep() ? Status::Asleep
                          : run->ready()  ? Status::Ready
                                          : Status::Restless);
@@ -307,7 +309,7 @@ void CpuSolver::rest() {
         status.push_back(runner.objects->restStatus(object));
     const auto addBoxes = [&](std::vector<RestBox>& boxes) {
         for (const auto& run : bodies_)
-            if (run->held) run->addRestBoxes(boxes);
+            if (run->active()) run->addRestBoxes(boxes);
     };
     const std::vector<ObjectState> none;
     for (const int member : settleTouching(*runner.rest, world_, status, addBoxes,
@@ -339,8 +341,9 @@ State CpuSolver::state() const {
     State state = world_.initialState();
     state.step = step_;
     state.pushes = events_.added(step_);
+    state.absent = absentBodies();
     for (const auto& run : bodies_)
-        if (run->held) run->store(state);
+        if (run->active()) run->store(state);
     storeObjects(state);
     return state;
 }
@@ -355,9 +358,51 @@ void CpuSolver::putObject(int object, const ObjectState& state) {
     runner_->objects->set(object, state);
 }
 
+void CpuSolver::setPresent(int body, bool present) {
+    BodyRun& run = *bodies_[body];
+    if (run.present == present) return;
+    const bool touches = runner_->rest && run.held;
+    if (touches && !present) wakeAround(body);
+    run.present = present;
+    run.load(world_.initialState());
+    if (touches && present) wakeAround(body);
+    shareOut();
+}
+
+bool CpuSolver::present(int body) const {
+    return bodies_[body]->present;
+}
+
+void CpuSolver::wakeAround(int body) {
+    std::vector<RestBox> own, others;
+    bodies_[body]->addRestBoxes(own);
+    for (int other = 0; other < static_cast<int>(bodies_.size()); ++other)
+        if (other != body && asleep(other)) bodies_[other]->addRestBoxes(others);
+    for (int object = 0; object < static_cast<int>(world_.objects().size()); ++object)
+        if (objectAsleep(object))
+            others.push_back(restBoxOf(world_, object, runner_->objects->states()[object]));
+    wake(memberOfBody(body));
+    for (const int member : membersNear(own, others)) wake(member);
+}
+
+std::vector<int> CpuSolver::absentBodies() const {
+    std::vector<int> absent;
+    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
+        if (!bodies_[body]->present) absent.push_back(body);
+    return absent;
+}
+
+void CpuSolver::setAbsent(const std::vector<int>& absent) {
+    if (absent == absentBodies()) return;
+    for (const auto& run : bodies_) run->present = true;
+    for (const int body : absent) bodies_[body]->present = false;
+    shareOut();
+}
+
 void CpuSolver::setState(const State& state) {
     step_ = state.step;
     events_.setAdded(state.pushes);
+    setAbsent(state.absent);
     for (const auto& run : bodies_) run->setAddedPatches(state.pushes, step_);
     for (const auto& run : bodies_)
         if (run->held) run->load(state);
@@ -371,6 +416,9 @@ void CpuSolver::archive(Archive& a) {
     a.section("step");
     const std::int64_t step = a.step(step_);
     events_.archive(a, step);
+    std::vector<int> absent = absentBodies();
+    archiveAbsent(a, world_, absent);
+    if (a.reads()) setAbsent(absent);
     Runner& runner = *runner_;
     a.section("looks");
     const bool watched = a.flag(runner.watch != nullptr);
@@ -380,18 +428,18 @@ void CpuSolver::archive(Archive& a) {
         step_ = step;
         for (const auto& run : bodies_) run->setAddedPatches(events_.added(step), step);
     }
-    if (runner.contact) archiveTouching(a);
+    if (runner.contact) archiveTouching(a, absent);
 }
 
-/// Whether it can fall asleep at all.
-bool CpuSolver::mayRest(int member) const {
-    const int object = member - memberOfObject(world_, 0);
-    return object < 0 ? bodies_[member]->held : world_.objects()[object].inverseMass > 0;
-}
-
-void CpuSolver::archiveTouching(Archive& a) {
+void CpuSolver::archiveTouching(Archive& a, const std::vector<int>& absent) {
     Runner& runner = *runner_;
-    runner.rest->archive(a, [this](int member) { return mayRest(member); });
+    std::vector<bool> held;
+    for (const auto& run : bodies_) held.push_back(run->held);
+    for (const int body : absent) held[body] = false;
+    runner.rest->archive(a, [&](int member) {
+        const int object = member - memberOfObject(world_, 0);
+        return object < 0 ? held[member] : world_.objects()[object].inverseMass > 0;
+    });
     if (a.reads())
         for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
             BodyRun& run = *bodies_[body];
@@ -399,8 +447,6 @@ void CpuSolver::archiveTouching(Archive& a) {
             if (asleep && !run.asleep()) run.fallAsleep();
             if (!asleep && run.asleep()) run.wake();
         }
-    std::vector<bool> held;
-    for (const auto& run : bodies_) held.push_back(run->held);
     runner.team.run([&] {
         runner.contact->archive(a, held, [&](int count, const std::function<void(int)>& work) {
             runner.team.forEach(count, work);
@@ -429,7 +475,7 @@ void CpuSolver::setIncidents(IncidentRing* ring) {
 void CpuSolver::adopt(const std::vector<int>& bodies, const State& state) {
     for (const int body : bodies) {
         if (runner_->rest) wake(memberOfBody(body));
-        bodies_[body]->load(state);
+        if (bodies_[body]->present) bodies_[body]->load(state);
         bodies_[body]->held = true;
     }
     setObjects(state);
@@ -476,7 +522,7 @@ double CpuSolver::kineticEnergy() const {
     constexpr int kVectors = 256;  // whatever the number of threads: sums are rounded
     std::vector<Part> parts;
     for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
-        const int vectors = bodies_[body]->held ? bodies_[body]->arrays().vectors : 0;
+        const int vectors = bodies_[body]->active() ? bodies_[body]->arrays().vectors : 0;
         for (int first = 0; first < vectors; first += kVectors)
             parts.push_back({body, first, std::min(first + kVectors, vectors)});
     }
@@ -504,7 +550,7 @@ int CpuSolver::threads() const {
     return runner_->team.size();
 }
 bool CpuSolver::asleep(int body) const {
-    return bodies_[body]->held && bodies_[body]->asleep();
+    return bodies_[body]->active() && bodies_[body]->asleep();
 }
 
 bool CpuSolver::objectAsleep(int object) const {

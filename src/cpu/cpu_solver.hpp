@@ -25,6 +25,8 @@ class CpuSolver : public core::Solver, public core::BodyHost {
     void archive(core::Archive& archive) override;
     void push(const core::Event& event) override;
     void putObject(int object, const core::ObjectState& state) override;
+    void setPresent(int body, bool present) override;
+    bool present(int body) const override;
     bool asleep(int body) const override;
     bool objectAsleep(int object) const override;
     void setIncidents(core::IncidentRing* ring) override;
@@ -68,8 +70,12 @@ class CpuSolver : public core::Solver, public core::BodyHost {
     /// What an event pushes before step number `until`; whether anything did wake.
     bool wakePushed(std::int64_t until);
     void startThrows();
-    bool mayRest(int member) const;
-    void archiveTouching(core::Archive& archive);
+    void archiveTouching(core::Archive& archive, const std::vector<int>& absent);
+    /// Which bodies are not there, ascending.
+    std::vector<int> absentBodies() const;
+    void setAbsent(const std::vector<int>& absent);
+    /// Sleeping bodies and objects that a body touches.
+    void wakeAround(int body);
     void setObjects(const core::State& state);
     void findIslands();
     void lookForIncidents();

@@ -107,6 +107,7 @@ void ReferenceSolver::archive(Archive& a) {
     now.step = a.step(state_.step);
     a.section("pushes");
     a.list(now.pushes, kMaxPushes, [&](Event& event) { core::archive(a, world_, event); });
+    archiveAbsent(a, world_, now.absent);
     archiveCells<double>(a, world_, now);
     IncidentWatch::archive(a, world_, watch_.get());
     a.section("searches");
@@ -128,6 +129,28 @@ void ReferenceSolver::putObject(int object, const ObjectState& state) {
     objects_->set(object, state);
 }
 
+void ReferenceSolver::setPresent(int body, bool present) {
+    if (this->present(body) == present) return;
+    if (present)
+        std::erase(state_.absent, body);
+    else
+        state_.absent.insert(std::upper_bound(state_.absent.begin(), state_.absent.end(), body),
+                             body);
+    const State initial = world_.initialState();
+    const Body& of = world_.bodies()[body];
+    const auto copy = [&](const auto& from, auto& to, int each) {
+        std::copy_n(from.begin() + each * of.firstCell, each * of.cellCount(),
+                    to.begin() + each * of.firstCell);
+    };
+    copy(initial.displacement, state_.displacement, kCorners);
+    copy(initial.velocity, state_.velocity, kCorners);
+    copy(initial.damage, state_.damage, kBondsPerCell);
+    copy(initial.slow, state_.slow, kBondsPerCell);
+    copy(initial.slowStress, state_.slowStress, 1);
+    updateLinks();
+    searchDue_ = true;
+}
+
 void ReferenceSolver::setIncidents(IncidentRing* ring) {
     watch_ = ring ? std::make_unique<IncidentWatch>(world_, *ring) : nullptr;
     if (objects_) objects_->setWatch(watch_.get());
@@ -138,10 +161,10 @@ void ReferenceSolver::advance(int steps) {
         const bool fracture = state_.step % world_.description().fractureInterval == 0;
         if (contact_ && (searchDue_ || state_.step % kContactInterval == 0))
             contact_->search(state_, links_);
-        searchDue_ = false;
         updateElements(fracture);
         if (contact_) contact_->addForces(state_, freeNodes(), force_, watch_.get());
         if (objects_) pushObjects();
+        searchDue_ = false;
         updateNodes();
         if (objects_) objects_->move();
         if (fracture) updateFracture();
@@ -175,6 +198,7 @@ void ReferenceSolver::updateElements(bool fracture) {
     Mat3 back = Mat3::Identity();
     for (std::size_t i = 0; i < elements_.size(); ++i) {
         const Element& e = elements_[i];
+        if (!world_.present(e.cell, state_)) continue;
         const ElementLaw& law = world_.laws()[world_.lawOf(e.cell)];
         if (i % kTetrahedraPerCell == 0) {
             const Deformation central = deformationOf(elements_[i + kTetrahedraPerCell - 1]);
@@ -218,7 +242,7 @@ std::vector<ReferenceContact::FreeNode> ReferenceSolver::freeNodes() const {
     nodes.resize(static_cast<std::size_t>(world_.nodeCount()));
     for (int node = 0; node < world_.nodeCount(); ++node) {
         const int cell = node / kCorners;
-        if (!world_.present(cell)) continue;
+        if (!world_.present(cell, state_)) continue;
         const NodeGroup group = groupOf(node);
         if (group.anchored) continue;
         const Vec3& gravity = world_.bodies()[world_.bodyOf(cell)].gravity;
@@ -230,8 +254,11 @@ std::vector<ReferenceContact::FreeNode> ReferenceSolver::freeNodes() const {
 void ReferenceSolver::pushObjects() {
     ObjectCells cells(*this);
     objects_->startStep(state_.step);
-    if (objects_->searchDue() || state_.step % kContactInterval == 0)
-        objects_->search(cells, std::vector<bool>(world_.bodies().size(), true));
+    if (searchDue_ || objects_->searchDue() || state_.step % kContactInterval == 0) {
+        std::vector<bool> there(world_.bodies().size(), true);
+        for (const int body : state_.absent) there[body] = false;
+        objects_->search(cells, there);
+    }
     objects_->push(cells);
 }
 
@@ -262,7 +289,7 @@ void ReferenceSolver::updateNodes() {
     for (const Event& event : state_.pushes) addEvent(event);
     for (int node = 0; node < world_.nodeCount(); ++node) {
         const int cell = node / kCorners;
-        if (!world_.present(cell)) continue;
+        if (!world_.present(cell, state_)) continue;
         const NodeGroup group = groupOf(node);
         Vec3 &u = state_.displacement[node], &v = state_.velocity[node];
         if (group.anchored) {
@@ -316,7 +343,7 @@ bool ReferenceSolver::overstressed(int cell) {
 /// `fracture = "cell"` (thesis, chapter 7): an overstressed cell leaves all its neighbours.
 void ReferenceSolver::breakCells() {
     for (int cell = 0; cell < world_.cellCount(); ++cell) {
-        if (!world_.present(cell) || !overstressed(cell)) continue;
+        if (!world_.present(cell, state_) || !overstressed(cell)) continue;
         for (int axis = 0; axis < 3; ++axis)
             for (const int owner : {cell, world_.neighbour(cell, axis, -1)})
                 if (owner >= 0) {
@@ -341,7 +368,7 @@ ReferenceSolver::Load ReferenceSolver::loadOf(int cell, int axis, const ElementL
 void ReferenceSolver::damageBonds() {
     const double interval = world_.description().fractureInterval * world_.step();
     for (int cell = 0; cell < world_.cellCount(); ++cell) {
-        if (!world_.present(cell)) continue;
+        if (!world_.present(cell, state_)) continue;
         const ElementLaw& law = world_.laws()[world_.lawOf(cell)];
         for (int axis = 0; axis < 3; ++axis) {
             const int bond = kBondsPerCell * cell + axis;

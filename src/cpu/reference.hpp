@@ -26,6 +26,8 @@ class ReferenceSolver : public core::Solver {
     void archive(core::Archive& archive) override;
     void push(const core::Event& event) override;
     void putObject(int object, const core::ObjectState& state) override;
+    void setPresent(int body, bool present) override;
+    bool present(int body) const override { return state_.has(body); }
     void setIncidents(core::IncidentRing* ring) override;
 
   private:

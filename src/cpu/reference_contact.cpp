@@ -61,7 +61,7 @@ bool ReferenceContact::joined(int cellA, int cellB, const std::vector<std::uint8
 void ReferenceContact::search(const State& state, const std::vector<std::uint8_t>& links) {
     std::vector<Sphere> spheres;
     for (int cell = 0; cell < world_.cellCount(); ++cell)
-        if (world_.present(cell))
+        if (world_.present(cell, state))
             for (int number = 0; number < proxyOf(cell).spheres(); ++number)
                 spheres.push_back(sphere(state, cell, number));
     const auto low = [](const Sphere& s) { return s.centre[0] - s.reach; };

@@ -45,7 +45,9 @@ class Settling {
           start_{world.initialState(), {}},
           standing_(world),
           groupOf_(world.bodies().size(), -1),
-          steps_(static_cast<int>(std::min(kWork / world.presentCells(), kMostSteps))) {}
+          steps_(static_cast<int>(std::min(kWork / world.presentCells(), kMostSteps))) {
+        for (const int body : start_.state.absent) standing_.absentBodies[body] = true;
+    }
 
     Start run() {
         for (const StandingGroup& group : standingGroups(world_, standing_)) open_.push_back(group);

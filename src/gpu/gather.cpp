@@ -65,6 +65,7 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
           nodes_[0].program(world, "gather/still.frag", {{"NODES", "1"}, {"FIRST", "0"}}),
           nodes_[0].program(world, "gather/still.frag", {{"NODES", "1"}, {"FIRST", "4"}})},
       bodies_(world.bodies().size(), BodyState::Awake),
+      present_(world.bodies().size(), true),
       awake_(world.bodies().size(), "awake cells"),
       monitor_(world, columns_, events_.schedule()),
       islands_(memberOfObject(world, static_cast<int>(world.objects().size()))) {
@@ -101,6 +102,7 @@ State GatherSolver::state() const {
     State state = world_.initialState();
     state.step = step_;
     state.pushes = events_.schedule().added(step_);
+    state.absent = absentBodies();
     read({0, world_.cellCount()}, state);
     if (objects_) objects_->read(state);
     return state;
@@ -125,7 +127,9 @@ void GatherSolver::setState(const State& state) {
         incidents_->finish();
         incidents_->forget();
     }
+    setAbsent(state.absent);
     write({0, world_.cellCount()}, state);
+    for (const int body : state.absent) writeBoth(cellsOf(world_, body), state);
     islands_.wakeAll();
     showObjects(state);
     for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
@@ -139,8 +143,16 @@ void GatherSolver::archive(Archive& a) {
     a.section("step");
     const std::int64_t step = a.step(step_);
     events_.schedule().archive(a, step);
+    std::vector<int> absent = absentBodies();
+    archiveAbsent(a, world_, absent);
+    if (a.reads()) setAbsent(absent);
     archiveCells(a);
-    islands_.archive(a, [this](int member) { return mayRest(member); });
+    islands_.archive(a, [&](int member) {
+        const int object = member - memberOfObject(world_, 0);
+        return object < 0
+                   ? holds(member) && !std::binary_search(absent.begin(), absent.end(), member)
+                   : world_.objects()[object].inverseMass > 0;
+    });
     monitor_.archive(a);
     archiveLooks(a);
     if (a.reads()) {
@@ -207,6 +219,7 @@ void GatherSolver::archiveCells(Archive& a) {
                 damage = static_cast<float>(kNoBond);
         }
         first[i].w = a.flag(first[i].w > 0) ? 1.f : 0.f;
+        if (a.reads() && !present_[world_.bodyOf(static_cast<int>(i))]) first[i].w = SUNDER_GONE;
         for (int k = 0; k < 4; ++k) second[i][k] = a.real(second[i][k]);
     }
     if (a.reads()) writeBoth(bonds_, 0);
@@ -227,16 +240,73 @@ void GatherSolver::archiveLooks(Archive& a) {
     contactHaste_ = std::move(haste);
 }
 
-bool GatherSolver::mayRest(int member) const {
-    const int object = member - memberOfObject(world_, 0);
-    return object < 0 ? holds(member) : world_.objects()[object].inverseMass > 0;
+void GatherSolver::setPresent(int body, bool present) {
+    if (present_[body] == present) return;
+    if (active(body)) {
+        std::vector<RestBox> own;
+        for (const RestMonitor::Chunk& chunk : monitor_.chunks())
+            if (chunk.box.member == memberOfBody(body)) own.push_back(chunk.box);
+        wakeAround(body, own);
+    }
+    present_[body] = present;
+    monitor_.setPresent(body, present);
+    const TexelRange cells = cellsOf(world_, body);
+    writeBoth(cells, world_.initialState());
+    if (!holds(body)) return;
+    changed(body);
+    if (present) {
+        const Box box = world_.bodies()[body].bounds();
+        const Vec3 reach = Vec3::Constant(restReach(world_.bodies()[body]));
+        wakeAround(body, {{memberOfBody(body), box.low - reach, box.high + reach}});
+    }
+    bodiesChanged();
+    TexelRanges own(1, "a body's cells");
+    own.set({&cells, 1}, columns_);
+    bindInputs();
+    links_.fill(linkProgram_, own);
+}
+
+void GatherSolver::wakeAround(int body, const std::vector<RestBox>& own) {
+    std::vector<RestBox> others;
+    for (const RestMonitor::Chunk& chunk : monitor_.chunks())
+        if (chunk.box.member != memberOfBody(body) && asleep(chunk.box.member))
+            others.push_back(chunk.box);
+    for (int object = 0; object < objectCount(); ++object)
+        if (objectAsleep(object))
+            others.push_back(restBoxOf(world_, object, objects_->known()[object]));
+    wake(memberOfBody(body));
+    for (const int member : membersNear(own, others)) wake(member);
+}
+
+std::vector<int> GatherSolver::absentBodies() const {
+    std::vector<int> absent;
+    for (int body = 0; body < static_cast<int>(present_.size()); ++body)
+        if (!present_[body]) absent.push_back(body);
+    return absent;
+}
+
+/// Of bodies that it holds, what follows must say what they are.
+void GatherSolver::setAbsent(const std::vector<int>& absent) {
+    present_.assign(present_.size(), true);
+    for (const int body : absent) present_[body] = false;
+    for (int body = 0; body < static_cast<int>(present_.size()); ++body)
+        monitor_.setPresent(body, present_[body]);
+}
+
+void GatherSolver::writeBoth(TexelRange cells, const State& state) {
+    for (int half = 0; half < 2; ++half) {
+        write(cells, state);
+        currentNodes_ = 1 - currentNodes_;
+        currentBonds_ = 1 - currentBonds_;
+    }
 }
 
 void GatherSolver::follow() {
     for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
         if (holds(body))
-            bodies_[body] =
-                islands_.asleep(memberOfBody(body)) ? BodyState::Asleep : BodyState::Awake;
+            bodies_[body] = !present_[body]                       ? BodyState::Absent
+                            : islands_.asleep(memberOfBody(body)) ? BodyState::Asleep
+                                                                  : BodyState::Awake;
     bodiesChanged();
     bindInputs();
     const TexelRange every{0, world_.cellCount()};
@@ -246,7 +316,10 @@ void GatherSolver::follow() {
 }
 
 void GatherSolver::adopt(const std::vector<int>& bodies, const State& state) {
-    const std::vector<TexelRange> cells = rangesOf(world_, bodies);
+    std::vector<int> there;
+    for (const int body : bodies)
+        if (present_[body]) there.push_back(body);
+    const std::vector<TexelRange> cells = rangesOf(world_, there);
     for (const TexelRange& range : cells) write(range, state);
     if (objects_) {
         State now;
@@ -262,6 +335,7 @@ void GatherSolver::adopt(const std::vector<int>& bodies, const State& state) {
         changed(body);
     }
     bodiesChanged();
+    if (cells.empty()) return;
     TexelRanges adopted(cells.size(), "adopted cells");
     adopted.set(cells, columns_);
     bindInputs();
@@ -299,6 +373,8 @@ void GatherSolver::write(TexelRange cells, const State& state) {
         nodes_[currentNodes_].write(2 * corner + 1, cells.first, v);
     }
     for (std::size_t i = 0; i < damage.size(); ++i) {
+        const bool there = present_[world_.bodyOf(cells.first + static_cast<int>(i))];
+        damage[i].w = there ? 0.f : static_cast<float>(SUNDER_GONE);
         slow[i].w = static_cast<float>(state.slowStress[cells.first + static_cast<int>(i)]);
         for (int axis = 0; axis < kBondsPerCell; ++axis) {
             const int bond = kBondsPerCell * (cells.first + static_cast<int>(i)) + axis;
@@ -504,7 +580,7 @@ void GatherSolver::rest() {
     using Status = RestIslands::Status;
     std::vector<Status> status;
     for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
-        status.push_back(!holds(body)           ? Status::Apart
+        status.push_back(!active(body)          ? Status::Apart
                          : asleep(body)         ? Status::Asleep
                          : monitor_.ready(body) ? Status::Ready
                                                 : Status::Restless);
@@ -535,7 +611,7 @@ void GatherSolver::wake(int member) {
 }
 
 void GatherSolver::changed(int body) {
-    bodies_[body] = BodyState::Awake;
+    bodies_[body] = present_[body] ? BodyState::Awake : BodyState::Absent;
     monitor_.disturb(body, step_);
 }
 
@@ -619,14 +695,15 @@ void GatherSolver::wakeThreatened() {
 
 void GatherSolver::bodiesChanged() {
     std::vector<int> awake, held;
+    held_ = false;
     for (int index = 0; index < static_cast<int>(bodies_.size()); ++index) {
         if (bodies_[index] == BodyState::Awake) awake.push_back(index);
-        if (holds(index)) held.push_back(index);
+        if (active(index)) held.push_back(index);
+        held_ = held_ || holds(index);
     }
     awake_.set(rangesOf(world_, awake), columns_);
     if (contact_) contact_->setCells(rangesOf(world_, awake), rangesOf(world_, held));
     if (objects_) objects_->setCells(rangesOf(world_, held));
-    held_ = !held.empty();
     findNextWake(step_);
 }
 

@@ -39,6 +39,8 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     void archive(core::Archive& archive) override;
     void push(const core::Event& event) override;
     void putObject(int object, const core::ObjectState& state) override;
+    void setPresent(int body, bool present) override;
+    bool present(int body) const override { return present_[body]; }
     bool asleep(int body) const override { return bodies_[body] == BodyState::Asleep; }
     bool objectAsleep(int object) const override { return objects_ && objects_->asleep(object); }
     StateView view() override;
@@ -55,7 +57,8 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     void showObjects(const core::State& state);
 
   private:
-    enum class BodyState { Awake, Asleep, Elsewhere };
+    /// Elsewhere: another solver has it. Absent: this one does, but it is not in the world.
+    enum class BodyState { Awake, Asleep, Elsewhere, Absent };
     /// A texture buffer that layers are copied to, one after the other, for drawing.
     struct Copy {
         gl::Buffer buffer;
@@ -76,8 +79,17 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     void read(TexelRange cells, core::State& state) const;
     void archiveCells(core::Archive& archive);
     void archiveLooks(core::Archive& archive);
-    /// Whether it can fall asleep at all.
-    bool mayRest(int member) const;
+    /// Held, and in the world.
+    bool active(int body) const {
+        return bodies_[body] == BodyState::Awake || bodies_[body] == BodyState::Asleep;
+    }
+    /// Which bodies are not there, ascending.
+    std::vector<int> absentBodies() const;
+    void setAbsent(const std::vector<int>& absent);
+    /// Sleeping bodies and objects that meet these boxes of a body's.
+    void wakeAround(int body, const std::vector<core::RestBox>& own);
+    /// Both halves of the ping-pong: what no pass touches is to be the same in both.
+    void writeBoth(TexelRange cells, const core::State& state);
     /// Everything that follows from the state and from who sleeps.
     void follow();
     void watch();
@@ -124,6 +136,7 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     GLint bondWatchUniform_ = -1;
 
     std::vector<BodyState> bodies_;
+    std::vector<bool> present_;  ///< bodies that are in the world, whoever has them
     TexelRanges awake_;
     std::optional<ContactPass> contact_;
     std::optional<ObjectPass> objects_;

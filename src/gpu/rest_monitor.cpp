@@ -147,6 +147,7 @@ RestMonitor::News RestMonitor::take(const Answer& answer, std::int64_t now) {
     const std::int64_t since = answer.step - interval_;
     for (int index = 0; index < static_cast<int>(bodies_.size()); ++index) {
         Body& body = bodies_[index];
+        if (!body.present) continue;
         vec4 all(0);
         for (int chunk = body.chunks.first; chunk < body.chunks.end; ++chunk) {
             const vec4& some = unrest[chunk];
@@ -170,6 +171,7 @@ void RestMonitor::takeChunks(const std::vector<vec4>& unrest) {
     if (layers_ == 1) return;
     const std::size_t layer = unrest_.layerTexels();
     for (int index = 0; index < static_cast<int>(bodies_.size()); ++index) {
+        if (!bodies_[index].present) continue;
         const double reach = restReach(world_.bodies()[index]);
         for (int chunk = bodies_[index].chunks.first; chunk < bodies_[index].chunks.end; ++chunk) {
             const vec4 &low = unrest[layer + chunk], &high = unrest[2 * layer + chunk];

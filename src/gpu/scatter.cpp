@@ -39,6 +39,7 @@ std::int64_t texelCount(const World& world) {
 ScatterSolver::ScatterSolver(const World& world, const WorldBuffers& buffers)
     : world_(world),
       buffers_(buffers),
+      present_(world.bodies().size(), true),
       width_(texelColumns(texelCount(world))),
       height_(texelRows(texelCount(world), width_, "forces and stresses")),
       breakable_(world.breakable()),
@@ -101,12 +102,16 @@ void ScatterSolver::makeTargets() {
     cumulativeTexture_ = gl::makeTexture2D(width_, height_, GL_RGBA32F, "cumulative force texture");
     elementTarget_ = makeTarget({&forceTexture_, &stressTexture_});
     cumulativeTarget_ = makeTarget({&cumulativeTexture_});
+    writeInverseMasses();
+}
 
+void ScatterSolver::writeInverseMasses() {
     // The force texture's alpha carries the inverse mass of each node's copy and is masked from
     // here on; 0 anchors the node.
     std::vector<vec4> texels(static_cast<std::size_t>(width_) * height_, vec4(0));
     for (int node = 0; node < world_.nodeCount(); ++node)
-        if (!world_.anchored(node) && world_.nodeMass(node) > 0)
+        if (!world_.anchored(node) && world_.nodeMass(node) > 0 &&
+            present_[world_.bodyOf(node / kCorners)])
             texels[node].w = static_cast<float>(1 / world_.nodeMass(node));
     gl::bindForWork(GL_TEXTURE_2D, forceTexture_);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, GL_RGBA, GL_FLOAT, texels.data());
@@ -144,6 +149,7 @@ State ScatterSolver::state() const {
     State state;
     state.step = step_;
     state.pushes = events_.schedule().added(step_);
+    state.absent = absentBodies();
     nodes_[currentNodes_].nodes.read(state);
     bonds_.bonds().read(state);
     if (objects_) objects_->read(state);
@@ -153,6 +159,7 @@ State ScatterSolver::state() const {
 void ScatterSolver::setState(const State& state) {
     step_ = state.step;
     events_.schedule().setAdded(state.pushes);
+    setAbsent(state.absent);
     nodes_[currentNodes_].nodes.write(state);
     bindWorld(buffers_);
     bonds_.write(state, feedback_);
@@ -164,11 +171,64 @@ void ScatterSolver::setState(const State& state) {
     incidents_->known().copy(bonds_.bonds().buffer());
 }
 
+void ScatterSolver::setPresent(int body, bool present) {
+    if (present_[body] == present) return;
+    State now = state();
+    const State initial = world_.initialState();
+    const Body& of = world_.bodies()[body];
+    const auto copy = [&](const auto& from, auto& to, int each) {
+        std::copy_n(from.begin() + each * of.firstCell, each * of.cellCount(),
+                    to.begin() + each * of.firstCell);
+    };
+    copy(initial.displacement, now.displacement, kCorners);
+    copy(initial.velocity, now.velocity, kCorners);
+    copy(initial.damage, now.damage, kBondsPerCell);
+    copy(initial.slow, now.slow, kBondsPerCell);
+    copy(initial.slowStress, now.slowStress, 1);
+    if (present)
+        std::erase(now.absent, body);
+    else
+        now.absent.insert(std::upper_bound(now.absent.begin(), now.absent.end(), body), body);
+    setAbsent(now.absent);
+    nodes_[currentNodes_].nodes.write(now);
+    bindWorld(buffers_);
+    bonds_.write(now, feedback_);
+    if (incidents_) incidents_->known().copy(bonds_.bonds().buffer());
+}
+
+std::vector<int> ScatterSolver::absentBodies() const {
+    std::vector<int> absent;
+    for (int body = 0; body < static_cast<int>(present_.size()); ++body)
+        if (!present_[body]) absent.push_back(body);
+    return absent;
+}
+
+void ScatterSolver::setAbsent(const std::vector<int>& absent) {
+    std::vector<bool> now(present_.size(), true);
+    for (const int body : absent) now[body] = false;
+    if (now == present_) return;
+    present_ = std::move(now);
+    writeInverseMasses();
+    std::vector<TexelRange> there;
+    for (std::size_t index = 0; index < present_.size(); ++index) {
+        const Body& body = world_.bodies()[index];
+        const int end = body.firstCell + body.cellCount();
+        if (!present_[index]) continue;
+        if (!there.empty() && there.back().end == body.firstCell)
+            there.back().end = end;
+        else
+            there.push_back({body.firstCell, end});
+    }
+    if (contact_) contact_->setCells(there, there);
+    if (objects_) objects_->setCells(there);
+}
+
 void ScatterSolver::archive(Archive& a) {
     a.section("step");
     const std::int64_t step = a.step(step_);
     events_.schedule().archive(a, step);
     State now = a.writes() ? state() : world_.initialState();
+    archiveAbsent(a, world_, now.absent);
     archiveCells<float>(a, world_, now);
     a.section("looks");
     const auto dropped = a.whole<std::int64_t>(droppedContacts_, 0, Archive::kLastStep);
@@ -178,6 +238,7 @@ void ScatterSolver::archive(Archive& a) {
         step_ = step;
         droppedContacts_ = dropped;
         contactHaste_ = std::move(haste);
+        setAbsent(now.absent);
         nodes_[currentNodes_].nodes.write(now);
         bindWorld(buffers_);
         gl::bindTexture(kNodes, GL_TEXTURE_BUFFER, nodes_[currentNodes_].nodes.texture());

@@ -32,6 +32,9 @@ class ScatterSolver : public GpuSolver {
     void archive(core::Archive& archive) override;
     void push(const core::Event& event) override;
     void putObject(int object, const core::ObjectState& state) override;
+    /// Waits for the GPU: the state goes through the CPU.
+    void setPresent(int body, bool present) override;
+    bool present(int body) const override { return present_[body]; }
     StateView view() override;
     void setIncidents(core::IncidentRing* ring) override;
     /// In the searches that finish() came upon.
@@ -48,6 +51,11 @@ class ScatterSolver : public GpuSolver {
     void makeElementBuffer();
     void makeTargets();
     void makePrograms();
+    /// Which bodies are not there, ascending.
+    std::vector<int> absentBodies() const;
+    /// They touch nothing, and their nodes are as if they were anchored.
+    void setAbsent(const std::vector<int>& absent);
+    void writeInverseMasses();
     void drawForces(const gl::Program& program, const gl::VertexArray& attributes, int count);
     void updateElements(bool fracture);
     void addContacts();
@@ -59,7 +67,8 @@ class ScatterSolver : public GpuSolver {
     const core::World& world_;
     const WorldBuffers& buffers_;
     std::int64_t step_ = 0;
-    int width_, height_;  ///< columns and rows of the float textures
+    std::vector<bool> present_;  ///< bodies that are in the world
+    int width_, height_;         ///< columns and rows of the float textures
 
     bool breakable_;
     Feedback feedback_;

@@ -183,14 +183,17 @@ void NodeBuffer::read(State& state) const {
 }
 
 BondBuffer::BondBuffer(const World& world)
-    : buffer_(sizeof(BondRecord) * world.cellCount(), nullptr, GL_DYNAMIC_COPY, "bonds"),
+    : world_(world),
+      buffer_(sizeof(BondRecord) * world.cellCount(), nullptr, GL_DYNAMIC_COPY, "bonds"),
       texture_(gl::makeBufferTexture(buffer_, GL_RGBA32F, "bonds")) {}
 
 void BondBuffer::write(const State& state) {
     std::vector<BondRecord> bonds(state.damage.size() / kBondsPerCell);
     for (std::size_t i = 0; i < bonds.size(); ++i) {
         const double *d = &state.damage[kBondsPerCell * i], *s = &state.slow[kBondsPerCell * i];
-        bonds[i] = {toVec4({d[0], d[1], d[2]}, 0), toVec4({s[0], s[1], s[2]}, state.slowStress[i])};
+        const double there = state.has(world_.bodyOf(static_cast<int>(i))) ? 0 : SUNDER_GONE;
+        bonds[i] = {toVec4({d[0], d[1], d[2]}, there),
+                    toVec4({s[0], s[1], s[2]}, state.slowStress[i])};
     }
     buffer_.write(0, sizeof(BondRecord) * bonds.size(), bonds.data());
 }

@@ -67,7 +67,8 @@ class NodeBuffer {
 /// Damage and slow traction of the bonds that each cell owns (BondRecord).
 class BondBuffer {
   public:
-    explicit BondBuffer(const core::World&);  ///< contents undefined
+    /// Contents undefined. The world must outlive it.
+    explicit BondBuffer(const core::World&);
     const gl::Buffer& buffer() const { return buffer_; }
     /// RGBA32F, 2 texels per cell.
     const gl::Texture& texture() const { return texture_; }
@@ -75,6 +76,7 @@ class BondBuffer {
     void read(core::State&) const;  ///< waits for the GPU
 
   private:
+    const core::World& world_;
     gl::Buffer buffer_;
     gl::Texture texture_;
 };
@@ -83,8 +85,8 @@ class BondBuffer {
 struct StateView {
     const gl::Texture* displacements;  ///< texture buffer, RGBA32F; xyz: m from rest
     int cellStride, cornerStride;      ///< texels from one cell's to the next, one corner's
-    const gl::Texture* damage;  ///< texture buffer, RGBA32F; xyz: of the bonds each cell owns
-    int damageStride;           ///< texels from one cell's to the next
+    const gl::Texture* damage;         ///< texture buffer, RGBA32F; as BondRecord::damage
+    int damageStride;                  ///< texels from one cell's to the next
     /// Texture buffer, RGBA32F: for every object its position (m; w: 1, or 0: not there), then for
     /// every object its orientation (quaternion). Null where the world has none.
     const gl::Texture* objects = nullptr;

@@ -51,7 +51,7 @@ class VtuWriter {
 std::string toVtu(const World& world, const State& state) {
     std::vector<int> cells;
     for (int cell = 0; cell < world.cellCount(); ++cell)
-        if (world.present(cell)) cells.push_back(cell);
+        if (world.present(cell, state)) cells.push_back(cell);
     const auto points = kCorners * cells.size(), tetrahedra = kTetrahedraPerCell * cells.size();
     VtuWriter w(points * 120 + tetrahedra * 60 + 4096);
 

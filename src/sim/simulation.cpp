@@ -74,6 +74,15 @@ void Simulation::putObject(int object, const ObjectState& state) {
     state_.reset();
 }
 
+void Simulation::setPresent(int body, bool present) {
+    const auto count = static_cast<int>(world().bodies().size());
+    if (body < 0 || body >= count)
+        throw InputError("there is no body " + std::to_string(body) + "; the world has " +
+                         std::to_string(count));
+    made_.solver->setPresent(body, present);
+    state_.reset();
+}
+
 void Simulation::advance(int steps) {
     if (steps < 1) return;
     made_.solver->advance(steps);

@@ -59,6 +59,9 @@ class Simulation {
     void throwObject(const core::ThrowDescription&);
     /// Puts an object somewhere at once. Its index and the numbers of the state must make sense.
     void putObject(int object, const core::ObjectState&);
+    /// Puts a body there or takes it away (core::Solver::setPresent()). Throws InputError for an
+    /// index that is none.
+    void setPresent(int body, bool present);
 
     /// Whole substeps. May return before a GPU is done.
     void advance(int steps);

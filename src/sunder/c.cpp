@@ -83,6 +83,7 @@ sunder_body sunder_body_default(void) {
     put(d.size, body.size);
     for (int& cells : body.cells) cells = 1;
     body.orientation[0] = 1;
+    body.present = d.present ? 1 : 0;
     return body;
 }
 
@@ -155,6 +156,7 @@ sunder_status sunder_desc_add_body(sunder_desc* desc, const sunder_body* body, i
         d.position = vec3(body->position);
         d.orientation = quat(body->orientation);
         d.anchors = static_cast<Side>(body->anchors);
+        d.present = body->present != 0;
         const int added = desc->desc.addBody(std::move(d));
         if (index) *index = added;
         return {};
@@ -263,6 +265,14 @@ sunder_status sunder_world_set_kinematic(sunder_world* world, int object, const 
 
 sunder_status sunder_world_remove_object(sunder_world* world, int object) {
     return run({world}, [&] { return world->world.removeObject(object); });
+}
+
+sunder_status sunder_world_add_body(sunder_world* world, int body) {
+    return run({world}, [&] { return world->world.addBody(body); });
+}
+
+sunder_status sunder_world_remove_body(sunder_world* world, int body) {
+    return run({world}, [&] { return world->world.removeBody(body); });
 }
 
 sunder_status sunder_world_save(sunder_world* world, const void** bytes, size_t* size) {

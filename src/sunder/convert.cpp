@@ -106,6 +106,7 @@ core::BodyDescription describe(const BodyDesc& body, int index) {
     for (const RegionDesc& region : body.regions)
         d.regions.push_back({toCore(region.from), toCore(region.to), region.material});
     d.mayOverlap = body.mayOverlap;
+    d.present = body.present;
     return d;
 }
 
@@ -123,6 +124,7 @@ BodyDesc bodyOf(const core::BodyDescription& d) {
     for (const core::RegionDescription& region : d.regions)
         body.regions.push_back({fromCore(region.from), fromCore(region.to), region.material});
     body.mayOverlap = d.mayOverlap;
+    body.present = d.present;
     return body;
 }
 

@@ -54,6 +54,7 @@ typedef struct sunder_body {
     double position[3];    /* m, world: centre of the bottom face. */
     double orientation[4]; /* A unit quaternion: w, x, y, z. */
     unsigned anchors;      /* Sides that never move. */
+    int present;           /* 0: not there until sunder_world_add_body(). */
 } sunder_body;
 
 /* The shape of an object. */
@@ -193,6 +194,10 @@ SUNDER_API sunder_status sunder_world_set_kinematic(sunder_world* world, int obj
                                                     const double* velocity, const double* spin);
 /* Takes an object away. */
 SUNDER_API sunder_status sunder_world_remove_object(sunder_world* world, int object);
+/* Puts a body there that is not: whole, at rest where its description has it. */
+SUNDER_API sunder_status sunder_world_add_body(sunder_world* world, int body);
+/* Takes a body away, and all its pieces, until it is added again. */
+SUNDER_API sunder_status sunder_world_remove_body(sunder_world* world, int body);
 /* All of it as bytes; `*bytes` is valid until the next call of this function with this world. */
 SUNDER_API sunder_status sunder_world_save(sunder_world* world, const void** bytes, size_t* size);
 /* Goes on from there. */

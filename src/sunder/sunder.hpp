@@ -72,6 +72,9 @@ struct BodyDesc {
     std::vector<RegionDesc> regions{};  ///< Up to 256; later ones override earlier ones.
     /// Whether it may lie within others as the world begins.
     bool mayOverlap = false;
+    /// Whether it is there when the world begins. False: room is kept for it until
+    /// World::addBody(). It is checked as the others are.
+    bool present = true;
 };
 
 /// A rigid object: something thrown, something hanging, an obstacle, a door, a player. Made by
@@ -334,6 +337,15 @@ class SUNDER_API World {
                               Vec3 spin = {});
     /// Takes an object away, until it is thrown or set again.
     Result<void> removeObject(int object);
+    /// Puts a body there that is not: whole, and at rest where its description has it, though not
+    /// under its own weight yet. What sleeps around it wakes; what lies in its way is pushed out,
+    /// hard: leave it room. With the solver `scatter` it waits for the GPU. Refused: no such body,
+    /// or it is there already.
+    Result<void> addBody(int body);
+    /// Takes a body away, and all its pieces, until addBody(): no ray, push or object meets it,
+    /// nothing draws it, and what lay on it falls. With the solver `scatter` it waits for the GPU.
+    /// Refused: no such body, or it is not there.
+    Result<void> removeBody(int body);
 
     // --- Going back ---
 

@@ -118,6 +118,18 @@ void World::Impl::checkObject(int object, const char* what) const {
                            "; the world has " + std::to_string(count));
 }
 
+Result<void> World::Impl::setPresent(int body, bool present, const char* what) {
+    const auto count = static_cast<int>(world().bodies().size());
+    if (body < 0 || body >= count)
+        throw core::InputError(std::string(what) + ": there is no body " + std::to_string(body) +
+                               "; the world has " + std::to_string(count));
+    if (simulation->solver().present(body) == present)
+        throw core::InputError(std::string(what) + ": body " + std::to_string(body) +
+                               (present ? " is there already" : " is not there"));
+    simulation->setPresent(body, present);
+    return {};
+}
+
 template <class Work>
 auto World::Impl::within(const Work& work) -> decltype(work()) {
     if (failure) return *failure;
@@ -230,6 +242,14 @@ Result<void> World::removeObject(int object) {
         w.simulation->putObject(object, {});
         return {};
     });
+}
+
+Result<void> World::addBody(int body) {
+    return impl_->within([&] { return impl_->setPresent(body, true, "addBody"); });
+}
+
+Result<void> World::removeBody(int body) {
+    return impl_->within([&] { return impl_->setPresent(body, false, "removeBody"); });
 }
 
 // --- Going back ---

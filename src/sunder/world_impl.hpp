@@ -21,6 +21,8 @@ struct World::Impl {
     }
     /// Throws InputError. `what`: for whom.
     void checkObject(int object, const char* what) const;
+    /// Throws InputError where that would change nothing. `what`: for whom.
+    Result<void> setPresent(int body, bool present, const char* what);
     void finishIncidents(const std::vector<core::Incident>& found);
     /// Runs `work` within a stay. A device that has failed once fails always.
     template <class Work>

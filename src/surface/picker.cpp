@@ -92,7 +92,7 @@ std::optional<Spot> Picker::pick(const State& state, const Vec3& origin,
                                  const Vec3& direction) const {
     std::optional<Spot> nearest;
     for (int cell = 0; cell < world_.cellCount(); ++cell) {
-        if (!world_.present(cell)) continue;
+        if (!world_.present(cell, state)) continue;
         std::array<Vec3, kCorners> corners;
         Vec3 centre(0, 0, 0);
         for (int corner = 0; corner < kCorners; ++corner) {

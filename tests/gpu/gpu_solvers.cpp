@@ -32,6 +32,11 @@ class Checked : public Solver {
     void putObject(int object, const ObjectState& state) override {
         solver_.putObject(object, state);
     }
+    void setPresent(int body, bool present) override {
+        solver_.setPresent(body, present);
+        testContext().check();
+    }
+    bool present(int body) const override { return solver_.present(body); }
     bool setPassObserver(PassObserver* observer) override {
         return solver_.setPassObserver(observer);
     }

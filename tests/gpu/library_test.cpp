@@ -255,6 +255,67 @@ TEST_CASE("library: no state of a host's changes a surface, nor is it changed") 
     host.hostile.reset();
 }
 
+TEST_CASE("library: a body that is removed has no visible triangle, and stands again when added") {
+    Host host;
+    gl::Device device(host.options());
+    for (const std::string_view solver : {"gather", "scatter", "auto", "cpu"}) {
+        INFO(solver);
+        WorldDesc desc = wallAndBall();
+        desc.bodies[1].present = false;
+        World world = made(desc, {.device = &device, .solver = solver});
+        gl::Surface surface(device, world);
+        const surface::DisplayMesh mesh(world.impl().world());
+        std::vector<gl::Vertex> vertices;
+        const auto update = [&] {
+            host.unnoticed("update", [&] { REQUIRE(surface.update()); });
+            vertices = verticesOf(surface);
+            REQUIRE(vertices.size() == mesh.vertices().size());
+        };
+        /// Triangles of a body's cells whose corners are not all in one place.
+        const auto visible = [&](int body) {
+            int count = 0;
+            for (std::size_t i = 0; i < mesh.indices().size(); i += 3) {
+                const std::uint32_t a = mesh.indices()[i], b = mesh.indices()[i + 1],
+                                    c = mesh.indices()[i + 2];
+                if (world.impl().world().bodyOf(static_cast<int>(mesh.vertices()[a].cell)) != body)
+                    continue;
+                count += vec(vertices[a].position) != vec(vertices[b].position) ||
+                         vec(vertices[a].position) != vec(vertices[c].position);
+            }
+            return count;
+        };
+        const auto met = [&](double x) {
+            const auto hit = world.castRay({x, 0.1, 5}, {0, 0, -1});
+            return hit ? hit->body : -1;
+        };
+        update();
+        const int whole = visible(0);
+        CHECK(whole > 100);
+        CHECK(visible(1) == 0);
+        CHECK(met(1.2) == -1);
+        for (int i = 0; i < 4; ++i) REQUIRE(world.step(kFrame));
+        CHECK(*world.brokenBonds() > 0);
+        host.unnoticed("add", [&] { REQUIRE(world.addBody(1)); });
+        host.unnoticed("remove", [&] { REQUIRE(world.removeBody(0)); });
+        for (int i = 0; i < 3; ++i) {  // whatever half of a ping-pong is drawn
+            update();
+            CHECK(visible(0) == 0);
+            CHECK(visible(1) > 20);
+            CHECK(met(0) == -1);
+            CHECK(met(1.2) == 1);
+            CHECK(*world.brokenBonds() == 0);
+            REQUIRE(world.step(0.003));
+        }
+        REQUIRE(world.removeObject(0));
+        REQUIRE(world.addBody(0));
+        REQUIRE(world.step(kFrame));
+        update();
+        CHECK(visible(0) == whole);
+        CHECK(met(0) == 0);
+        CHECK(world.pieces()->size() == 2);
+    }
+}
+
 TEST_CASE("library: a world on the GPU goes back to where it was saved") {
     Host host;
     gl::Device device(host.options());

@@ -449,6 +449,65 @@ TEST_CASE("library: worlds move, come and go") {
     CHECK(moved.size().bonds > moved.size().cells);
 }
 
+TEST_CASE("library: bodies come and go") {
+    WorldDesc desc;
+    const int brick = desc.addMaterial(Material::preset("brick"));
+    desc.addBody(
+        {.material = brick, .size = {0.9, 0.6, 0.2}, .cells = {6, 4, 2}, .anchors = Side::Bottom});
+    desc.addBody({.material = brick,
+                  .size = {0.9, 0.6, 0.2},
+                  .cells = {6, 4, 2},
+                  .position = {0, 0, 1},
+                  .anchors = Side::Bottom,
+                  .present = false});
+    CHECK_FALSE(fromCore(toCore(desc)).bodies[1].present);
+    Object ball = Object::sphere(0.1).at({0, 0.85, 0});
+    ball.mass = 5;
+    desc.addObject(ball);
+    World world = made(desc);
+    const auto pieces = [&] { return world.pieces()->size(); };
+    const auto met = [&] {  // from the front, at the height of both walls
+        const auto hit = world.castRay({0.3, 0.3, 5}, {0, 0, -1});
+        return hit ? hit->body : -1;
+    };
+    CHECK(pieces() == 1);
+    CHECK(met() == 0);
+    const std::uint64_t before = *world.stateHash();
+    REQUIRE(world.addBody(1));
+    CHECK(*world.stateHash() != before);
+    CHECK(pieces() == 2);
+    CHECK(met() == 1);
+    REQUIRE(world.removeBody(1));
+    CHECK(*world.stateHash() == before);
+    CHECK(met() == 0);
+
+    // The ball lies on the wall, and falls through where it was.
+    for (int i = 0; i < 30; ++i) REQUIRE(world.step(kFrame));
+    CHECK(world.object(0)->transform.position.y > 0.6);
+    REQUIRE(world.removeBody(0));
+    CHECK(pieces() == 0);
+    CHECK(met() == -1);
+    CHECK(*world.brokenBonds() == 0);
+    for (int i = 0; i < 40; ++i) REQUIRE(world.step(kFrame));
+    CHECK(world.object(0)->transform.position.y < 0.11);  // on the ground
+    const Result<std::vector<std::byte>> gone = world.saveState();
+    REQUIRE(gone);
+    REQUIRE(world.addBody(1));
+    REQUIRE(world.step(kFrame));
+    CHECK(met() == 1);
+    REQUIRE(world.restoreState(*gone));
+    CHECK(met() == -1);
+
+    const auto refused = [](const Result<void>& result) {
+        return result ? "done" : result.error().message;
+    };
+    CHECK(refused(world.removeBody(0)) == "removeBody: body 0 is not there");
+    REQUIRE(world.addBody(1));
+    CHECK(refused(world.addBody(1)) == "addBody: body 1 is there already");
+    CHECK(refused(world.addBody(2)) == "addBody: there is no body 2; the world has 2");
+    CHECK(refused(world.removeBody(-1)) == "removeBody: there is no body -1; the world has 2");
+}
+
 TEST_CASE("library: C has what C++ has") {
     int major = 0, minor = 0;
     sunder_version(&major, &minor, nullptr);
@@ -501,6 +560,24 @@ TEST_CASE("library: C has what C++ has") {
     REQUIRE(sunder_world_state_hash(world, &restored) == SUNDER_OK);
     CHECK(restored == hash);
     CHECK(sunder_world_restore(world, kept.data(), kept.size() - 3) == SUNDER_INPUT);
+
+    CHECK(sunder_world_add_body(world, 0) == SUNDER_INPUT);
+    CHECK_THAT(std::string(sunder_message()), Catch::Contains("there already"));
+    REQUIRE(sunder_world_remove_body(world, 0) == SUNDER_OK);
+    CHECK(sunder_world_remove_body(world, 0) == SUNDER_INPUT);
+    CHECK(sunder_world_cast_ray(world, origin, direction, &hit) == 0);
+    REQUIRE(sunder_world_add_body(world, 0) == SUNDER_OK);
+    CHECK(sunder_world_cast_ray(world, origin, direction, &hit) == 1);
+    sunder_desc* later = sunder_desc_create();
+    sunder_body absent = wall;
+    absent.present = 0;
+    REQUIRE(sunder_desc_add_material(later, "brick", &absent.material) == SUNDER_OK);
+    REQUIRE(sunder_desc_add_body(later, &absent, nullptr) == SUNDER_OK);
+    sunder_world* empty = sunder_world_create(later, nullptr, nullptr);
+    REQUIRE(empty);
+    CHECK(sunder_world_cast_ray(empty, origin, direction, &hit) == 0);
+    sunder_world_destroy(empty);
+    sunder_desc_destroy(later);
 
     // What fails says why, and null pointers are no crash.
     sunder_push push = sunder_push_default();
