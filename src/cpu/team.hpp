@@ -34,7 +34,8 @@ class Team {
             size_ = std::clamp(host_->concurrency(host_->user), 1, kMaxThreads);
         else if (size_ < 1)
             size_ = tbb::this_task_arena::max_concurrency();
-        // More than there are cores, oneTBB would refuse with a warning; work is split for all of them.
+        // More than there are cores, oneTBB would refuse with a warning; work is split for all of
+        // them.
         const int cores = tbb::this_task_arena::max_concurrency();
         if (!host_ && size_ > 1) arena_.emplace(std::min(size_, cores));
     }

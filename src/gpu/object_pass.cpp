@@ -442,7 +442,8 @@ double ObjectPass::speedOf(int index) const {
 
 bool ObjectPass::anyAwake() const {
     for (int i = 0; i < count_; ++i)
-        if (known_[i].present && (world_.objects()[i].inverseMass > 0 ? !asleep_[i] : speedOf(i) > 0))
+        if (known_[i].present &&
+            (world_.objects()[i].inverseMass > 0 ? !asleep_[i] : speedOf(i) > 0))
             return true;
     return false;
 }

@@ -374,7 +374,8 @@ TEST_CASE("bytes that are no saved state of this solver and world are refused in
         add("swapped", "checksum", [](Bytes& bytes) {
             std::rotate(bytes.begin() + 400, bytes.begin() + 1400, bytes.end() - 8);
         });
-        add("another format", "number 9, this version of Sunder reads 1",
+        add("another format",
+            "number 9, this version of Sunder reads " + std::to_string(kStateFormat),
             [](Bytes& bytes) { bytes[8] = std::byte{9}; });
         for (const std::size_t at : {std::size_t{12}, std::size_t{25}, std::size_t{60},
                                      good.size() / 2, good.size() - 9, good.size() - 1})
