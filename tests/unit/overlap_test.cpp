@@ -326,7 +326,7 @@ TEST_CASE("turned bodies may touch in any way, but not be in each other") {
         CHECK(refusal(worldOf({one, moved(one, turn.col(axis) * 0.2)})).empty());
         // By 5 % of a cell, along that axis.
         const std::string text = refusal(worldOf({one, moved(one, turn.col(axis) * 0.195)}));
-        CHECK_THAT(text, Catch::Matchers::Contains("overlap by 0.005 m"));
+        CHECK_THAT(text, Catch::Contains("overlap by 0.005 m"));
     }
     // What is around them overlaps, and they do not.
     const Mat3 diagonal = Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitY()).toRotationMatrix();
@@ -346,7 +346,7 @@ TEST_CASE("turned bodies may touch in any way, but not be in each other") {
     ridge = centred(ridge, {0, 3, 0});
     CHECK(refusal(worldOf({ridge, centred(across, {0, 3 + 2 * half + 1e-4, 0})})).empty());
     CHECK_THAT(refusal(worldOf({ridge, centred(across, {0, 3 + 2 * half - 0.02, 0})})),
-               Catch::Matchers::Contains("overlap by 0.02 m"));
+               Catch::Contains("overlap by 0.02 m"));
     // The ground, and an object.
     BodyDescription lying = cube({0, 0.1, 0});
     lying.orientation = Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX());
@@ -354,7 +354,7 @@ TEST_CASE("turned bodies may touch in any way, but not be in each other") {
     ground.ground = true;
     CHECK(refusal(ground).empty());
     ground.bodies[0].orientation = Eigen::AngleAxisd(2, Vec3::UnitX());
-    CHECK_THAT(refusal(ground), Catch::Matchers::Contains("below the ground"));
+    CHECK_THAT(refusal(ground), Catch::Contains("below the ground"));
     CHECK(refusal(worldOf({corner}, {sphere({half + 0.101, 3.1, 0})})).empty());
     CHECK(refusal(worldOf({corner}, {sphere({half + 0.07, 3.1, 0})})) != "");
     CHECK(refusal(worldOf({corner}, {sphere({0.15, 3.1, 0.15})})).empty());
