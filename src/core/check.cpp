@@ -12,15 +12,15 @@
 #include "core/wording.hpp"
 
 namespace sunder::core {
-namespace {
-
-/// Complaints about one thing of a world.
 Complain complainAbout(const std::string& thing) {
     return
         [prefix = thing.empty() ? thing : thing + ": "](
             std::string_view, const std::string& problem) { throw InputError(prefix + problem); };
 }
 
+namespace {
+
+/// Complaints about one thing of a world.
 void checkCount(std::size_t count, std::size_t most, const std::string& what) {
     if (count > most)
         throw InputError("the world has more than " + std::to_string(most) + " " + what +

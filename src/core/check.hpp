@@ -18,6 +18,9 @@ namespace sunder::core {
 /// InputError, with the place before the sentence.
 using Complain = std::function<void(std::string_view key, const std::string& problem)>;
 
+/// Throws InputError: "THING: problem", or the problem alone where the thing has no name.
+Complain complainAbout(const std::string& thing);
+
 /// Throws InputError for the first thing that is wrong: a number outside its rule or not finite,
 /// materials, bodies or objects that do not exist, regions outside their body, more of anything
 /// than a world may have, names that are not one line or are another's, objects without contact.

@@ -271,25 +271,15 @@ void World::makeEvents() {
     }
 }
 
-namespace {
-
-Complain complainOf(const std::string& name) {
-    return [name](std::string_view, const std::string& problem) {
-        throw InputError(name + ": " + problem);
-    };
-}
-
-}  // namespace
-
 Event World::makeEvent(EventDescription event, double now) const {
     const std::string name = event.where.empty() ? "the event" : event.where;
-    checkEvent(event, bodies_.size(), complainOf(name));
+    checkEvent(event, bodies_.size(), complainAbout(name));
     event.time += now;
     return layOutEvent(event, name);
 }
 
 ObjectState World::makeThrow(const ThrowDescription& thrown) const {
-    checkThrow(thrown, description_.objects, complainOf("the throw"));
+    checkThrow(thrown, description_.objects, complainAbout("the throw"));
     return thrownState(description_.objects[thrown.object], thrown);
 }
 
@@ -375,6 +365,27 @@ State World::initialState() const {
     for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
         if (!description_.bodies[body].present) state.absent.push_back(body);
     return state;
+}
+
+void World::setPresent(State& state, int body, bool present) const {
+    if (state.has(body) != present) {
+        if (present)
+            std::erase(state.absent, body);
+        else
+            state.absent.insert(std::upper_bound(state.absent.begin(), state.absent.end(), body),
+                                body);
+    }
+    const State initial = initialState();
+    const Body& of = bodies_[body];
+    const auto copy = [&](const auto& from, auto& to, int each) {
+        std::copy_n(from.begin() + each * of.firstCell, each * of.cellCount(),
+                    to.begin() + each * of.firstCell);
+    };
+    copy(initial.displacement, state.displacement, kCorners);
+    copy(initial.velocity, state.velocity, kCorners);
+    copy(initial.damage, state.damage, kBondsPerCell);
+    copy(initial.slow, state.slow, kBondsPerCell);
+    copy(initial.slowStress, state.slowStress, 1);
 }
 
 }  // namespace sunder::core

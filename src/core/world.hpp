@@ -116,6 +116,8 @@ class World {
     bool breakable() const { return bondsBreak() || cellsBreak(); }
 
     State initialState() const;
+    /// A body that is to be in `state` or not, whole and at rest as initialState() has it.
+    void setPresent(State& state, int body, bool present) const;
 
     /// 64-bit FNV-1a of all that states and their future depend on: worlds of the same description
     /// have the same one on every machine.

@@ -131,22 +131,7 @@ void ReferenceSolver::putObject(int object, const ObjectState& state) {
 
 void ReferenceSolver::setPresent(int body, bool present) {
     if (this->present(body) == present) return;
-    if (present)
-        std::erase(state_.absent, body);
-    else
-        state_.absent.insert(std::upper_bound(state_.absent.begin(), state_.absent.end(), body),
-                             body);
-    const State initial = world_.initialState();
-    const Body& of = world_.bodies()[body];
-    const auto copy = [&](const auto& from, auto& to, int each) {
-        std::copy_n(from.begin() + each * of.firstCell, each * of.cellCount(),
-                    to.begin() + each * of.firstCell);
-    };
-    copy(initial.displacement, state_.displacement, kCorners);
-    copy(initial.velocity, state_.velocity, kCorners);
-    copy(initial.damage, state_.damage, kBondsPerCell);
-    copy(initial.slow, state_.slow, kBondsPerCell);
-    copy(initial.slowStress, state_.slowStress, 1);
+    world_.setPresent(state_, body, present);
     updateLinks();
     searchDue_ = true;
 }

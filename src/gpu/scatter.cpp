@@ -174,21 +174,7 @@ void ScatterSolver::setState(const State& state) {
 void ScatterSolver::setPresent(int body, bool present) {
     if (present_[body] == present) return;
     State now = state();
-    const State initial = world_.initialState();
-    const Body& of = world_.bodies()[body];
-    const auto copy = [&](const auto& from, auto& to, int each) {
-        std::copy_n(from.begin() + each * of.firstCell, each * of.cellCount(),
-                    to.begin() + each * of.firstCell);
-    };
-    copy(initial.displacement, now.displacement, kCorners);
-    copy(initial.velocity, now.velocity, kCorners);
-    copy(initial.damage, now.damage, kBondsPerCell);
-    copy(initial.slow, now.slow, kBondsPerCell);
-    copy(initial.slowStress, now.slowStress, 1);
-    if (present)
-        std::erase(now.absent, body);
-    else
-        now.absent.insert(std::upper_bound(now.absent.begin(), now.absent.end(), body), body);
+    world_.setPresent(now, body, present);
     setAbsent(now.absent);
     nodes_[currentNodes_].nodes.write(now);
     bindWorld(buffers_);

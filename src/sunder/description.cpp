@@ -1,3 +1,4 @@
+#include "core/wording.hpp"
 #include "scene/presets.hpp"
 #include "scene/scene.hpp"
 #include "sunder/convert.hpp"
@@ -9,11 +10,9 @@ namespace {
 
 /// Why there is no preset of this name.
 Error noPreset(scene::PresetKind kind, const char* what, std::string_view name) {
-    std::string names;
-    for (const std::string& known : scene::presetNames(kind))
-        names += (names.empty() ? "" : ", ") + known;
     return {Error::Code::Input, "there is no " + std::string(what) + " '" + std::string(name) +
-                                    "'; those that come with Sunder are " + names};
+                                    "'; those that come with Sunder are " +
+                                    core::joined(scene::presetNames(kind))};
 }
 
 }  // namespace

@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "core/diagnostics.hpp"
+#include "core/fnv.hpp"
 #include "core/limit_notes.hpp"
 #include "core/limits.hpp"
 #include "core/loss_notes.hpp"
 #include "core/pieces.hpp"
-#include "core/saved_state.hpp"
 #include "core/wording.hpp"
 #include "sunder/convert.hpp"
 #include "sunder/guard.hpp"
@@ -44,13 +44,13 @@ cpu::Threads threadsOf(const WorldOptions& options) {
 
 const sim::SolverInfo& findCpuSolver(std::string_view name) {
     if (name.empty()) return sim::cpuSolvers().front();
-    std::string names;
+    std::vector<std::string> names;
     for (const sim::SolverInfo& solver : sim::cpuSolvers()) {
         if (solver.name == name) return solver;
-        names += (names.empty() ? "" : ", ") + solver.name;
+        names.push_back(solver.name);
     }
     throw core::InputError("there is no solver '" + std::string(name) +
-                           "' without a device; known: " + names);
+                           "' without a device; known: " + core::joined(names));
 }
 
 constexpr std::size_t kWord = 8;  ///< bytes of a number that saveState() adds
@@ -67,17 +67,12 @@ std::uint64_t wordAt(std::span<const std::byte> bytes, std::size_t at) {
     return word;
 }
 
-/// Keeps what is said once.
-class SettleProgress {
-  public:
-    explicit SettleProgress(const std::function<void(double)>& told) : told_(told) {}
-    void operator()(double share) const {
-        if (told_) told_(share);
-    }
-
-  private:
-    const std::function<void(double)>& told_;
-};
+/// Of the last two numbers.
+std::uint64_t checksumOfLast(std::span<const std::byte> bytes) {
+    core::Fnv1a hash;
+    hash.add(bytes.last(2 * kWord));
+    return hash.value();
+}
 
 }  // namespace
 
@@ -97,7 +92,7 @@ World::Impl::Impl(const WorldDesc& description, const WorldOptions& options, sim
     solver = info.name;
     startNotes = core::limitNotes(world());
     if (options.settle) {
-        const cpu::Start& start = simulation->start(SettleProgress(options.progress));
+        const cpu::Start& start = simulation->start(options.progress);
         if (std::string note = cpu::restlessWarning(start); !note.empty())
             startNotes.push_back(std::move(note));
         simulation->restart();
@@ -259,10 +254,7 @@ Result<std::vector<std::byte>> World::saveState() const {
     return w.within([&]() -> Result<std::vector<std::byte>> {
         std::vector<std::byte> bytes = w.simulation->saveState();
         append(bytes, std::bit_cast<std::uint64_t>(w.rest));
-        append(bytes, 0);
-        const std::uint64_t checksum = core::stateChecksum(bytes);
-        bytes.resize(bytes.size() - kWord);
-        append(bytes, checksum);
+        append(bytes, checksumOfLast(bytes));
         return bytes;
     });
 }
@@ -270,14 +262,15 @@ Result<std::vector<std::byte>> World::saveState() const {
 Result<void> World::restoreState(std::span<const std::byte> bytes) {
     Impl& w = *impl_;
     return w.within([&]() -> Result<void> {
-        // What follows the simulation's bytes: seconds that no substep has taken up, and a checksum
-        // of all, since the simulation's own is not one of these seconds.
-        if (bytes.size() < 2 * kWord)
+        // What follows the simulation's bytes, which end in a checksum of their own: seconds that
+        // no substep has taken up, and a checksum of both.
+        if (bytes.size() < 3 * kWord)
             throw core::InputError("a saved state of " + std::to_string(bytes.size()) +
                                    " bytes was cut short");
         const std::size_t inside = bytes.size() - 2 * kWord;
         const auto rest = std::bit_cast<double>(wordAt(bytes, inside));
-        const bool whole = wordAt(bytes, inside + kWord) == core::stateChecksum(bytes);
+        const bool whole =
+            wordAt(bytes, inside + kWord) == checksumOfLast(bytes.first(inside + kWord));
         if (!whole || !(std::abs(rest) <= w.world().step()))
             throw core::InputError(
                 "a saved state was cut or changed since; restore what saveState() gave");

@@ -37,22 +37,11 @@ void checkError(const Error& error) {
     fuzz::checkSentence(core::InputError(error.message));
 }
 
-/// Takes values from the input; zeros at its end.
-class Input {
+/// Takes values from the input.
+class Input : public fuzz::Input {
   public:
-    Input(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
+    using fuzz::Input::Input;
 
-    bool any() const { return left_ > 0; }
-    template <class Value>
-    Value take() {
-        Value value{};
-        const std::size_t size = std::min(sizeof value, left_);
-        if (size > 0) std::memcpy(&value, data_, size);
-        data_ += size;
-        left_ -= size;
-        return value;
-    }
-    std::size_t below(std::size_t count) { return take<std::uint8_t>() % count; }
     bool oneIn(std::size_t count) { return below(count) == count - 1; }
 
     /// Mostly a sensible number of this range; else any.
@@ -105,10 +94,6 @@ class Input {
     /// Whether a number that may be senseless has had effect: then those that follow from it need
     /// not stay finite.
     bool wild = false;
-
-  private:
-    const std::uint8_t* data_;
-    std::size_t left_;
 };
 
 Material material(Input& input) {

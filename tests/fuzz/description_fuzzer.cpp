@@ -28,27 +28,7 @@ namespace {
 constexpr std::int64_t kFewCells = 64;
 constexpr std::size_t kFewThings = 8;
 
-/// Takes values from the input; zeros at its end.
-class Bytes {
-  public:
-    Bytes(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
-
-    bool any() const { return left_ > 0; }
-    template <class Value>
-    Value take() {
-        Value value{};
-        const std::size_t size = std::min(sizeof value, left_);
-        if (size > 0) std::memcpy(&value, data_, size);
-        data_ += size;
-        left_ -= size;
-        return value;
-    }
-    std::size_t below(std::size_t count) { return take<std::uint8_t>() % count; }
-
-  private:
-    const std::uint8_t* data_;
-    std::size_t left_;
-};
+using Bytes = fuzz::Input;
 
 double numberFor(const Range& range, bool whole, Bytes& bytes) {
     double value = 0;

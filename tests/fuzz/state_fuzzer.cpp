@@ -89,26 +89,7 @@ struct Setting {
     }
 };
 
-/// Takes numbers from the input; zeros at its end.
-class Input {
-  public:
-    Input(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
-    bool any() const { return left_ > 0; }
-    template <class Value>
-    Value take() {
-        Value value{};
-        const std::size_t size = std::min(sizeof value, left_);
-        if (size > 0) std::memcpy(&value, data_, size);
-        data_ += size;
-        left_ -= size;
-        return value;
-    }
-    std::size_t below(std::size_t count) { return take<std::uint32_t>() % count; }
-
-  private:
-    const std::uint8_t* data_;
-    std::size_t left_;
-};
+using fuzz::Input;
 
 template <class Value>
 void put(Bytes& bytes, std::size_t at, Value value) {
@@ -116,7 +97,7 @@ void put(Bytes& bytes, std::size_t at, Value value) {
 }
 
 void change(Bytes& bytes, Input& input) {
-    const std::size_t at = input.below(bytes.size());
+    const std::size_t at = input.below<std::uint32_t>(bytes.size());
     switch (input.take<std::uint8_t>() % 8) {
         case 0:
             put(bytes, at, input.take<std::uint8_t>());
@@ -134,7 +115,7 @@ void change(Bytes& bytes, Input& input) {
             put(bytes, at, input.take<double>());
             break;
         case 5:  // what is elsewhere in it
-            put(bytes, at, bytes[input.below(bytes.size())]);
+            put(bytes, at, bytes[input.below<std::uint32_t>(bytes.size())]);
             break;
         case 6:
             bytes.resize(std::max<std::size_t>(at, 1));
