@@ -1,5 +1,6 @@
-// A wall in somebody else's window, drawn with somebody else's shaders: Sunder as a guest in a program's own OpenGL context.
-// A click hits the wall where the mouse is. `embed 120 picture.ppm` hits it by itself, runs so many frames and leaves a picture.
+// A wall in somebody else's window, drawn with somebody else's shaders: Sunder as a guest in a
+// program's own OpenGL context. A click hits the wall where the mouse is. `embed 120 picture.ppm`
+// hits it by itself, runs so many frames and leaves a picture.
 #define GL_GLEXT_PROTOTYPES
 #define GLFW_INCLUDE_GLCOREARB
 #include <GLFW/glfw3.h>
@@ -15,7 +16,8 @@ namespace {
 
 // Everything is seen from here, to the lower left; `kAxes` are the camera's right, up and back.
 constexpr sunder::Vec3 kEye{2.2, 1.9, 3.1};
-constexpr sunder::Vec3 kAxes[] = {{0.816, 0, -0.578}, {-0.139, 0.971, -0.196}, {0.561, 0.240, 0.792}};
+constexpr sunder::Vec3 kAxes[] = {
+    {0.816, 0, -0.578}, {-0.139, 0.971, -0.196}, {0.561, 0.240, 0.792}};
 constexpr double kZoom = 1.9;
 
 const char* const kVertexShader = R"(#version 410 core
@@ -90,7 +92,10 @@ int main(int count, char** arguments) {
 
     sunder::WorldDesc desc;
     const int brick = desc.addMaterial(sunder::Material::preset("brick"));
-    desc.addBody({.material = brick, .size = {3, 2, 0.2}, .cells = {30, 20, 2}, .anchors = sunder::Side::Bottom});
+    desc.addBody({.material = brick,
+                  .size = {3, 2, 0.2},
+                  .cells = {30, 20, 2},
+                  .anchors = sunder::Side::Bottom});
     {
         sunder::gl::Device device({.getProcAddress = glfwGetProcAddress});
         auto made = sunder::World::create(desc, {.device = &device});
@@ -100,7 +105,8 @@ int main(int count, char** arguments) {
         if (!surface.ok()) return fail(surface.error().message);
 
         bool wasDown = false;
-        for (int frame = 0; !glfwWindowShouldClose(window) && (frames == 0 || frame < frames); ++frame) {
+        for (int frame = 0; !glfwWindowShouldClose(window) && (frames == 0 || frame < frames);
+             ++frame) {
             int width, height;
             glfwGetFramebufferSize(window, &width, &height);
             const double aspect = static_cast<double>(width) / (height > 0 ? height : 1);
@@ -111,15 +117,20 @@ int main(int count, char** arguments) {
                 glfwGetWindowSize(window, &windowWidth, &windowHeight);
                 if (down) {
                     glfwGetCursorPos(window, &x, &y);
-                    x *= static_cast<double>(width) / windowWidth, y *= static_cast<double>(height) / windowHeight;
+                    x *= static_cast<double>(width) / windowWidth,
+                        y *= static_cast<double>(height) / windowHeight;
                 }
                 // The projection of the vertex shader, the other way round.
-                const double right = (2 * x / width - 1) * aspect / kZoom, up = (1 - 2 * y / height) / kZoom;
+                const double right = (2 * x / width - 1) * aspect / kZoom,
+                             up = (1 - 2 * y / height) / kZoom;
                 const sunder::Vec3 ray{right * kAxes[0].x + up * kAxes[1].x - kAxes[2].x,
                                        right * kAxes[0].y + up * kAxes[1].y - kAxes[2].y,
                                        right * kAxes[0].z + up * kAxes[1].z - kAxes[2].z};
                 if (auto aim = world.castRay(kEye, ray))
-                    world.push({.at = aim->place, .radius = 0.45, .velocity = {0, 0, -25}, .falloff = true});
+                    world.push({.at = aim->place,
+                                .radius = 0.45,
+                                .velocity = {0, 0, -25},
+                                .falloff = true});
             }
             wasDown = down;
             world.step(1.0 / 60);
@@ -131,8 +142,9 @@ int main(int count, char** arguments) {
             glEnable(GL_DEPTH_TEST);
             glEnable(GL_CULL_FACE);
             glUseProgram(program);
-            const float axes[] = {f(kAxes[0].x), f(kAxes[0].y), f(kAxes[0].z), f(kAxes[1].x), f(kAxes[1].y),
-                                  f(kAxes[1].z), f(kAxes[2].x), f(kAxes[2].y), f(kAxes[2].z)};
+            const float axes[] = {f(kAxes[0].x), f(kAxes[0].y), f(kAxes[0].z),
+                                  f(kAxes[1].x), f(kAxes[1].y), f(kAxes[1].z),
+                                  f(kAxes[2].x), f(kAxes[2].y), f(kAxes[2].z)};
             glUniform3f(glGetUniformLocation(program, "eye"), f(kEye.x), f(kEye.y), f(kEye.z));
             glUniformMatrix3fv(glGetUniformLocation(program, "axes"), 1, GL_FALSE, axes);
             glUniform2f(glGetUniformLocation(program, "zoom"), f(kZoom / aspect), f(kZoom));
@@ -148,7 +160,8 @@ int main(int count, char** arguments) {
             glfwPollEvents();
         }
         const auto broken = world.brokenBonds();
-        std::printf("%d bonds broke on %s\n", broken ? *broken : -1, std::string(device.renderer()).c_str());
+        std::printf("%d bonds broke on %s\n", broken ? *broken : -1,
+                    std::string(device.renderer()).c_str());
         if (frames > 10 && (!broken || *broken == 0)) return fail("nothing broke");
     }
     glfwTerminate();

@@ -1,4 +1,5 @@
-// A hundred explosions in one frame among twenty walls, on the CPU: prints what a frame costs before, in and after it.
+// A hundred explosions in one frame among twenty walls, on the CPU: prints what a frame costs
+// before, in and after it.
 #include <sunder/sunder.hpp>
 
 #include <algorithm>
@@ -11,7 +12,8 @@ namespace {
 double milliseconds(const auto& work) {
     const auto start = std::chrono::steady_clock::now();
     work();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
 }
 
 }  // namespace
@@ -50,12 +52,16 @@ int main() {
             (frame < 20 ? before : after).push_back(taken);
     }
     const auto median = [](std::vector<double>& values) {
-        std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+        std::nth_element(values.begin(),
+                         values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                         values.end());
         return values[values.size() / 2];
     };
     const auto broken = world.brokenBonds();
     if (!broken) return 1;
-    std::printf("a frame: %.2f ms before, %.2f ms with a hundred explosions, %.2f ms after; %d bonds broke\n",
-                median(before), during, median(after), *broken);
+    std::printf(
+        "a frame: %.2f ms before, %.2f ms with a hundred explosions, %.2f ms after; %d bonds "
+        "broke\n",
+        median(before), during, median(after), *broken);
     return *broken > 0 ? 0 : 1;
 }

@@ -22,7 +22,8 @@ int main() {
     sunder::World& world = *made;
     for (const std::string& note : world.notes()) std::printf("note: %s\n", note.c_str());
 
-    if (auto thrown = world.throwObject({.object = ball, .from = {0, 1.2, 2}, .velocity = {0, 0, -25}});
+    if (auto thrown =
+            world.throwObject({.object = ball, .from = {0, 1.2, 2}, .velocity = {0, 0, -25}});
         !thrown) {
         std::fprintf(stderr, "headless: %s\n", thrown.error().message.c_str());
         return 1;
@@ -44,8 +45,10 @@ int main() {
         if (piece.mass > largest) largest = piece.mass;
         if (!piece.anchored) loose += piece.mass;
     }
-    std::printf("after %.1f s: %d bonds broke, %d hits, %zu pieces, the largest of %.0f kg, %.0f kg came loose\n",
-                world.time(), breaks, contacts, pieces->size(), largest, loose);
+    std::printf(
+        "after %.1f s: %d bonds broke, %d hits, %zu pieces, the largest of %.0f kg, %.0f kg came "
+        "loose\n",
+        world.time(), breaks, contacts, pieces->size(), largest, loose);
     if (auto hit = world.castRay({-1.2, 0.3, 3}, {0, 0, -1}))
         std::printf("a ray meets body %d at z = %.3f m\n", hit->body, hit->place.z);
     return breaks > 0 ? 0 : 1;

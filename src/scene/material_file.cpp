@@ -1,5 +1,6 @@
 #include "scene/material_file.hpp"
 
+#include "core/names.hpp"
 #include "core/wording.hpp"
 #include "files/utf8_path.hpp"
 #include "scene/limits.hpp"

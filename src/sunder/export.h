@@ -2,8 +2,8 @@
 #ifndef SUNDER_EXPORT_H
 #define SUNDER_EXPORT_H
 
-/* SUNDER_SHARED: defined for who uses a shared library of Sunder, by its CMake and pkg-config files.
-   SUNDER_BUILDING: while that library is compiled. */
+/* SUNDER_SHARED: defined for who uses a shared library of Sunder, by its CMake and pkg-config
+   files. SUNDER_BUILDING: while that library is compiled. */
 #if defined(_WIN32) && defined(SUNDER_SHARED)
 #ifdef SUNDER_BUILDING
 #define SUNDER_API __declspec(dllexport)

@@ -229,7 +229,8 @@ void Controls::fly(Session& session, double elapsed) const {
     const auto down = [&](Key key) { return held.count(key) || tapped_.count(key) ? 1.0 : 0.0; };
     const auto axis = [&](Key back, Key ahead) { return down(ahead) - down(back); };
     const double time = std::min(elapsed, 0.1), step = time * camera.distance() * 0.8;
-    camera.move(step * axis(window::key('S'), window::key('W')), step * axis(window::key('A'), window::key('D')),
+    camera.move(step * axis(window::key('S'), window::key('W')),
+                step * axis(window::key('A'), window::key('D')),
                 step * axis(window::key('Q'), window::key('E')));
     const double turn = 1.5 * time;
     camera.orbit(turn * axis(Key::Left, Key::Right), turn * axis(Key::Down, Key::Up));

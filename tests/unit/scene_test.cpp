@@ -121,8 +121,7 @@ TEST_CASE("A body is turned about the world's x axis, then y, then z", "[scene]"
     CHECK(body.position == Vec3(1, 2, 3));
     // Turned copies may stand nearer to each other than their width: World sees whether they fit.
     const scene::Scene rows = scene::parseScene(
-        std::string(kBody) +
-            "rotation = [0, 90, 0]\ncopies = [3, 1, 1]\nspacing = [0.9, 0, 0]\n",
+        std::string(kBody) + "rotation = [0, 90, 0]\ncopies = [3, 1, 1]\nspacing = [0.9, 0, 0]\n",
         "walls.toml", {});
     CHECK(rows.world.bodies.size() == 3);
     CHECK(rows.world.bodies[2].orientation.coeffs() == rows.world.bodies[0].orientation.coeffs());

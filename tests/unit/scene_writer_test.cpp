@@ -94,9 +94,9 @@ TEST_CASE("Bodies that are turned are saved as they were written", "[scene]") {
               scene.world.bodies[0].orientation.coeffs());
     }
     // Of many triples of angles that are the same turn, another one may be written.
-    const scene::Scene scene = scene::parseScene(
-        std::string(body) + "rotation = [200, 100, -300]\nposition = [0, 9, 0]\n", "turned.toml",
-        {});
+    const scene::Scene scene =
+        scene::parseScene(std::string(body) + "rotation = [200, 100, -300]\nposition = [0, 9, 0]\n",
+                          "turned.toml", {});
     const scene::Scene again = scene::parseScene(scene::writeScene(scene), "turned.toml", {});
     CHECK(std::abs(again.world.bodies[0].orientation.dot(scene.world.bodies[0].orientation)) ==
           Approx(1).margin(1e-15));

@@ -25,7 +25,7 @@ PACKAGES = {
     'TBB': ('tbb', ['TBB::tbb'], 'include', ['tbb/global_control.h', 'tbb/parallel_for.h', 'tbb/task_arena.h']),
     'glfw3': ('glfw3', ['glfw'], 'include', ['GLFW/glfw3.h']),
     'glm': ('glm', ['glm::glm'], 'include',
-            ['glm/glm.hpp', 'glm/mat3x3.hpp', 'glm/vec3.hpp', 'glm/vec4.hpp', 'glm/gtc/matrix_inverse.hpp',
+            ['glm/geometric.hpp', 'glm/glm.hpp', 'glm/mat3x3.hpp', 'glm/vec3.hpp', 'glm/vec4.hpp', 'glm/gtc/matrix_inverse.hpp',
              'glm/gtc/matrix_transform.hpp', 'glm/gtc/type_ptr.hpp']),
     'hwy': ('hwy', ['hwy::hwy'], 'include', ['hwy/base.h', 'hwy/foreach_target.h', 'hwy/highway.h']),
     'imgui': ('imgui', ['imgui::imgui'], 'include',
@@ -37,7 +37,7 @@ PACKAGES = {
 STB = ['stb_easy_font.h', 'stb_image.h', 'stb_image_write.h']
 
 # Of operating systems and compilers. C++'s own have neither a dot nor a folder.
-SYSTEM = re.compile(r'\w+|sys/\w+\.h|(fcntl|io|malloc|poll|shellapi|spawn|unistd|windows|xmmintrin)\.h')
+SYSTEM = re.compile(r'\w+|sys/\w+\.h|(fcntl|io|malloc|poll|shellapi|spawn|stddef|stdint|unistd|windows|xmmintrin)\.h')
 # Looked for with __has_include: Catch2 2 has it, vcpkg has 3.
 OPTIONAL = {'catch2/catch.hpp'}
 # No file of Windows.
