@@ -79,6 +79,17 @@ std::span<const std::byte> contentsOf(const World& world, const Solver& solver,
     return header.first(header.size() - kChecksumSize);
 }
 
+void archive(Archive& a, const World& world, Solver& solver, std::vector<PresenceChange>& changes) {
+    solver.archive(a);
+    a.section("bodies that come or go");
+    const auto bodies = static_cast<int>(world.bodies().size());
+    // Each comes and goes once at most.
+    a.list(changes, 2 * world.bodies().size(), [&](PresenceChange& change) {
+        change.body = a.whole(change.body, 0, bodies - 1);
+        change.present = a.flag(change.present);
+    });
+}
+
 }  // namespace
 
 std::uint64_t stateChecksum(std::span<const std::byte> bytes) {
@@ -87,7 +98,8 @@ std::uint64_t stateChecksum(std::span<const std::byte> bytes) {
     return hash.value();
 }
 
-std::vector<std::byte> saveState(const World& world, Solver& solver) {
+std::vector<std::byte> saveState(const World& world, Solver& solver,
+                                 std::vector<PresenceChange> changes) {
     solver.finish();
     std::vector<std::byte> bytes;
     // About what nodes and bonds take, so that it seldom moves.
@@ -98,8 +110,8 @@ std::vector<std::byte> saveState(const World& world, Solver& solver) {
     append(bytes, nameOf(solver));
     append(bytes, world.fingerprint());
     append(bytes, std::uint64_t{0});
-    Archive archive = Archive::writing(bytes);
-    solver.archive(archive);
+    Archive writing = Archive::writing(bytes);
+    archive(writing, world, solver, changes);
     const std::uint64_t length = bytes.size() + kChecksumSize;
     std::memcpy(bytes.data() + kLengthAt, &length, sizeof length);
     append(bytes, std::uint64_t{0});
@@ -108,14 +120,22 @@ std::vector<std::byte> saveState(const World& world, Solver& solver) {
     return bytes;
 }
 
-std::int64_t restoreState(const World& world, Solver& solver, std::span<const std::byte> bytes) {
+std::int64_t restoreState(const World& world, Solver& solver, std::span<const std::byte> bytes,
+                          std::vector<PresenceChange>& changes) {
     const std::span<const std::byte> contents = contentsOf(world, solver, bytes);
-    Archive check = Archive::checking(contents);
-    solver.archive(check);
-    check.end();
-    Archive archive = Archive::reading(contents);
-    solver.archive(archive);
-    return archive.step();
+    std::vector<PresenceChange> got;
+    Archive checking = Archive::checking(contents);
+    archive(checking, world, solver, got);
+    checking.end();
+    Archive reading = Archive::reading(contents);
+    archive(reading, world, solver, got);
+    changes = std::move(got);
+    return reading.step();
+}
+
+std::int64_t restoreState(const World& world, Solver& solver, std::span<const std::byte> bytes) {
+    std::vector<PresenceChange> changes;
+    return restoreState(world, solver, bytes, changes);
 }
 
 }  // namespace sunder::core

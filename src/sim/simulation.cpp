@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/saved_state.hpp"
+#include "core/contact.hpp"
 
 namespace sunder::sim {
 
@@ -43,15 +43,16 @@ void Simulation::restart() {
 void Simulation::setState(const State& state) {
     made_.solver->setState(state);
     step_ = state.step;
+    changes_.clear();
     state_.reset();
 }
 
 std::vector<std::byte> Simulation::saveState() {
-    return core::saveState(world(), *made_.solver);
+    return core::saveState(world(), *made_.solver, changes_);
 }
 
 void Simulation::restoreState(std::span<const std::byte> bytes) {
-    step_ = core::restoreState(world(), *made_.solver, bytes);
+    step_ = core::restoreState(world(), *made_.solver, bytes, changes_);
     state_.reset();
 }
 
@@ -61,7 +62,11 @@ const State& Simulation::state() {
 }
 
 void Simulation::push(const EventDescription& event) {
-    made_.solver->push(world().makeEvent(event, time()));
+    EventDescription pushed = event;
+    // What is not there yet is pushed once it is.
+    if (comes(event.body))
+        pushed.time += static_cast<double>(nextSearch() - step_) * world().step();
+    made_.solver->push(world().makeEvent(pushed, time()));
     state_.reset();
 }
 
@@ -79,11 +84,53 @@ void Simulation::setPresent(int body, bool present) {
     if (body < 0 || body >= count)
         throw InputError("there is no body " + std::to_string(body) + "; the world has " +
                          std::to_string(count));
-    made_.solver->setPresent(body, present);
+    if (present == this->present(body)) return;
     state_.reset();
+    if (nextSearch() == step_) return made_.solver->setPresent(body, present);
+    // What was to come does not, and nothing else is left to do if it was not there before.
+    if (!present && comes(body))
+        std::erase_if(changes_, [&](const PresenceChange& change) {
+            return change.body == body && change.present;
+        });
+    else
+        changes_.push_back({body, present});
+}
+
+const PresenceChange* Simulation::lastChange(int body) const {
+    const auto last =
+        std::find_if(changes_.rbegin(), changes_.rend(),
+                     [&](const PresenceChange& change) { return change.body == body; });
+    return last == changes_.rend() ? nullptr : &*last;
+}
+
+bool Simulation::comes(int body) const {
+    const PresenceChange* last = lastChange(body);
+    return last && last->present;
+}
+
+bool Simulation::present(int body) const {
+    const PresenceChange* last = lastChange(body);
+    return last ? last->present : made_.solver->present(body);
+}
+
+std::int64_t Simulation::nextSearch() const {
+    return (step_ + kContactInterval - 1) / kContactInterval * kContactInterval;
 }
 
 void Simulation::advance(int steps) {
+    if (!changes_.empty() && step_ + steps >= nextSearch()) {
+        const auto first = static_cast<int>(nextSearch() - step_);
+        advanceSolver(first);
+        steps -= first;
+        for (const PresenceChange& change : changes_)
+            made_.solver->setPresent(change.body, change.present);
+        changes_.clear();
+        state_.reset();
+    }
+    advanceSolver(steps);
+}
+
+void Simulation::advanceSolver(int steps) {
     if (steps < 1) return;
     made_.solver->advance(steps);
     step_ += steps;

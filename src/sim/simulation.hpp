@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/incident.hpp"
+#include "core/saved_state.hpp"
 #include "cpu/settle.hpp"
 #include "sim/layout.hpp"
 #include "sim/solvers.hpp"
@@ -35,7 +36,8 @@ class Simulation {
     const cpu::Start& start(const cpu::SettleProgress& progress = {});
     /// Back to start().
     void restart();
-    /// Goes on from a state of this world, or of one with the same cells.
+    /// Goes on from a state of this world, or of one with the same cells. What setPresent() still
+    /// had to do is dropped.
     void setState(const core::State&);
     /// All that the solver knows (core/saved_state.hpp), for rollback and checkpoints. Changes
     /// nothing that is to come. Waits for a GPU, as finish() does.
@@ -59,9 +61,13 @@ class Simulation {
     void throwObject(const core::ThrowDescription&);
     /// Puts an object somewhere at once. Its index and the numbers of the state must make sense.
     void putObject(int object, const core::ObjectState&);
-    /// Puts a body there or takes it away (core::Solver::setPresent()). Throws InputError for an
-    /// index that is none.
+    /// Puts a body there or takes it away (core::Solver::setPresent()): at once where the step is
+    /// divisible by kContactInterval, else at the next one that is, on the way of advance(). So
+    /// what touches no such body keeps its bits. A push that names a body on its way begins with
+    /// it. Throws InputError for an index that is none.
     void setPresent(int body, bool present);
+    /// Whether it is there, or will be by what setPresent() was told last.
+    bool present(int body) const;
 
     /// Whole substeps. May return before a GPU is done.
     void advance(int steps);
@@ -79,6 +85,12 @@ class Simulation {
 
   private:
     void adopt(MadeSolver, const SolverInfo&);
+    /// What the solver is told of this body last; null: nothing.
+    const core::PresenceChange* lastChange(int body) const;
+    bool comes(int body) const;  ///< at nextSearch()
+    /// From this step on the first that is divisible by kContactInterval.
+    std::int64_t nextSearch() const;
+    void advanceSolver(int steps);
 
     std::shared_ptr<const Layout> layout_;
     cpu::Threads threads_;
@@ -89,6 +101,7 @@ class Simulation {
     std::int64_t step_ = 0;
     std::optional<core::State> state_;
     std::optional<cpu::Start> start_;
+    std::vector<core::PresenceChange> changes_;  ///< at nextSearch()
 };
 
 }  // namespace sunder::sim

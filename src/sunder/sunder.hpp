@@ -339,12 +339,14 @@ class SUNDER_API World {
     Result<void> removeObject(int object);
     /// Puts a body there that is not: whole, and at rest where its description has it, though not
     /// under its own weight yet. What sleeps around it wakes; what lies in its way is pushed out,
-    /// hard: leave it room. With the solver `scatter` it waits for the GPU. Refused: no such body,
-    /// or it is there already.
+    /// hard: leave it room. At once where substeps() is divisible by four, as contacts are searched
+    /// for then, else within the next step() at the next such substep; a push of it that is given
+    /// meanwhile begins then, too. So what touches nothing of it keeps its bits. With the solver
+    /// `scatter` it waits for the GPU. Refused: no such body, or it is there already.
     Result<void> addBody(int body);
-    /// Takes a body away, and all its pieces, until addBody(): no ray, push or object meets it,
-    /// nothing draws it, and what lay on it falls. With the solver `scatter` it waits for the GPU.
-    /// Refused: no such body, or it is not there.
+    /// Takes a body away, and all its pieces, until addBody(), at the same substeps: no ray, push
+    /// or object meets it, nothing draws it, and what lay on it falls. With the solver `scatter` it
+    /// waits for the GPU. Refused: no such body, or it is not there.
     Result<void> removeBody(int body);
 
     // --- Going back ---

@@ -118,7 +118,7 @@ Result<void> World::Impl::setPresent(int body, bool present, const char* what) {
     if (body < 0 || body >= count)
         throw core::InputError(std::string(what) + ": there is no body " + std::to_string(body) +
                                "; the world has " + std::to_string(count));
-    if (simulation->solver().present(body) == present)
+    if (simulation->present(body) == present)
         throw core::InputError(std::string(what) + ": body " + std::to_string(body) +
                                (present ? " is there already" : " is not there"));
     simulation->setPresent(body, present);

@@ -99,3 +99,82 @@ TEST_CASE("a simulation that is given bytes of another solver stays as it is") {
     other.advance(1);
     CHECK(other.state().step == 5);
 }
+
+TEST_CASE(
+    "a simulation adds and removes bodies where contacts are searched for, and others never know") {
+    WorldDescription description = described();
+    BodyDescription visitor = description.bodies[0];
+    visitor.name = "visitor";
+    visitor.anchors.clear();
+    visitor.position = {5, 0.2, 0};
+    visitor.present = false;
+    description.bodies.push_back(visitor);
+    EventDescription pushed = push();
+    pushed.body = 1;
+    pushed.radius = 2;  // all of it
+    for (const sim::SolverInfo& info : sim::cpuSolvers()) {
+        INFO(info.name);
+        const auto layout = std::make_shared<sim::Layout>(description);
+        sim::Simulation alone(layout, info, 1), visited(layout, info, 1), second(layout, info, 1);
+        const Body& wall = layout->world().bodies()[0];
+        const auto nodes = kCorners * wall.cellCount();
+        const auto visitorSpeed = [&] { return visited.state().velocity[nodes][2]; };
+        const auto both = [&](int steps) {
+            alone.advance(steps);
+            visited.advance(steps);
+        };
+        const auto sameWall = [&] {
+            const State &a = alone.state(), &b = visited.state();
+            return std::equal(a.displacement.begin(), a.displacement.begin() + nodes,
+                              b.displacement.begin()) &&
+                   std::equal(a.damage.begin(), a.damage.begin() + kBondsPerCell * wall.cellCount(),
+                              b.damage.begin()) &&
+                   a.objects == b.objects;
+        };
+        alone.restart();
+        visited.restart();
+        both(37);
+        visited.setPresent(1, true);
+        visited.push(pushed);
+        CHECK(visited.present(1));
+        CHECK_FALSE(visited.solver().present(1));
+        both(2);
+        CHECK_FALSE(visited.solver().present(1));
+        const std::vector<std::byte> saved = visited.saveState();
+        both(1);
+        CHECK(visited.step() == 40);
+        CHECK(visited.solver().present(1));
+        CHECK(visitorSpeed() == 0);
+        both(23);
+        // Were it free, it would have all of the push's 6 m/s after 5 ms; the material damps it.
+        CHECK(visitorSpeed() > 3);
+        CHECK(sameWall());
+
+        // What was still to come is among what was saved.
+        second.restoreState(saved);
+        CHECK(second.present(1));
+        second.advance(24);
+        CHECK(stateHash(second.state()) == stateHash(visited.state()));
+        second.setState(alone.state());
+        CHECK_FALSE(second.present(1));
+
+        // It goes, is whole again at once if it also comes, and nothing happens twice.
+        visited.setPresent(1, false);
+        CHECK_FALSE(visited.present(1));
+        visited.setPresent(1, true);
+        both(2);
+        CHECK(visited.present(1));
+        CHECK(visitorSpeed() == 0);
+        both(4);
+        visited.setPresent(1, false);
+        both(10);
+        CHECK_FALSE(visited.solver().present(1));
+        visited.setPresent(1, true);
+        visited.setPresent(1, false);
+        both(37);
+        CHECK_FALSE(visited.solver().present(1));
+        CHECK(diagnose(layout->world(), alone.state()).bondsBroken > 0);
+        CHECK(sameWall());
+        CHECK(stateHash(alone.state()) == stateHash(visited.state()));
+    }
+}
