@@ -17,9 +17,7 @@ layout(location = 0) out vec4 summary;
 // Spheres' numbers, which count from 1; negative: of a cell next to this one on the lattice.
 layout(location = 1) out vec4 partners[7];
 
-const int kMostPartners = 28;
 const float kReach = 1.501;     // voxels; rounding on top
-const float kCreepSpeed = 0.5;  // cell edges/s, src/core/sleep.hpp
 
 int self;
 uvec4 record;

@@ -47,8 +47,6 @@ vec3 velocityAt(ObjectRecord record, ObjectMotion state, vec3 x) {
            cross(spinOf(record, state.orientation, state.angularMomentum.xyz), x - state.position.xyz);
 }
 
-const float kLoadMargin = 4.0, kLoadedDepth = 0.2;  // src/core/object_contact.hpp
-
 // m/m' of an object, 1 at most.
 float loadShare(ObjectRecord record, ObjectMotion state) {
     return 1.0 / max(1.0, kLoadMargin * state.memory.x * record.inertia.w);

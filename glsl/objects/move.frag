@@ -1,6 +1,7 @@
 // One fragment per object: what it gets from barriers and objects, added to what it got from cells; then a step.
 #include "objects/among.glsl"
 #include "objects/spin.glsl"
+#include "shared/constants.h"
 
 uniform sampler2DArray touchCounts;  // K
 uniform sampler2DArray impulses;     // from cells: N·s; N·m·s
@@ -9,10 +10,6 @@ uniform float heaviest;              // kg, of everything together
 uniform bool newWatch;               // this is the first step since objects were last looked at for rest
 
 layout(location = 0) out vec4 moved[SUNDER_OBJECT_LAYERS];
-
-// src/core/object_contact.hpp
-const float kLoadTime = 0.05, kUnloadTime = 0.01, kGrowthTime = 1.5e-3;  // s
-const float kPressingSpeed = 1.0;                                        // m/s
 
 int self;
 ObjectRecord record;

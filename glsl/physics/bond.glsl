@@ -1,7 +1,6 @@
 // `fracture = "bond"`: a face between two cells breaks by traction and damage (docs/fracture.md, points 3 to 7).
+#include "shared/constants.h"
 #include "shared/layout.h"
-
-const float kSuddenStress = 5.0;  // src/core/world.hpp
 
 // Traction on one of the face's two triangles: T is the mean Biot stress (material frame) of the two corner tetrahedra that
 // meet there. x: normal, y: shear, Pa.
@@ -11,7 +10,7 @@ vec2 faceTraction(mat3 T, int axis) {
 }
 
 // Share of what is new in a stress that its slow part takes up in `interval` seconds.
-float slowShare(float interval) { return min(1.0, interval / 0.1); }
+float slowShare(float interval) { return min(1.0, interval / kSlowTime); }
 
 // Advances damage and the slow part of the traction of one bond by `interval` seconds. The difference of the two normal
 // tractions catches bending; only what exceeds the slow part is scaled by S = √(E/E_eff), or dead weight would be too.

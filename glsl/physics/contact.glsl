@@ -1,11 +1,5 @@
 // Contact between two spheres of different cells: src/core/contact.hpp says what and why.
-#include "physics/contact_constants.glsl"
-
-const float kFrictionRate = 0.3;
-const float kConstraintShare = 0.95;
-const float kInelasticDamping = 0.6;
-const float kCrowdGap = 0.1;  // radii
-const float kSweptWay = 0.1;  // sums of radii
+#include "shared/constants.h"
 
 // What the law asks of a cell.
 struct ContactSide {

@@ -1,11 +1,7 @@
 // First Piola–Kirchhoff stress of one tetrahedron from its deformation gradient F and rate Ḟ.
+#include "shared/constants.h"
 #include "shared/layout.h"
 #include "physics/polar.glsl"
-
-const float kDamping = 0.1;     // b: stress is taken from G = F + b·h·Ḟ (stiffness-proportional damping)
-const float kHotDamping = 0.5;  // b of strongly deformed elements
-const float kMostTurn2 = 0.02;  // |b·h·Ḟ|² up to which a cell turns as one
-const float kMostStretch2 = 4.5;  // and |F|²; 3 at rest
 
 struct ElementStress {
     mat3 piola;     // P, Pa

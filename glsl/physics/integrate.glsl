@@ -1,5 +1,5 @@
 // One step of symplectic Euler for one node, then the barriers (src/core/room.hpp).
-#include "physics/contact_constants.glsl"
+#include "shared/constants.h"
 #include "shared/layout.h"
 
 uniform float stepSize;        // h, s

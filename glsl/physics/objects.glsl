@@ -1,11 +1,6 @@
 // How rounded boxes touch: src/core/object_contact.hpp says what and why.
-#include "physics/contact_constants.glsl"
+#include "shared/constants.h"
 #include "shared/layout.h"
-
-const float kBounceSpeed = 0.3;        // m/s
-const int kProjections = 6;
-const int kAdvances = 8;
-const float kCellRoundness = 0.1;  // shortest edges
 
 // All points within `radius` of a box.
 struct RoundedBox {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/cell.hpp"
+#include "core/constants.hpp"
 #include "core/types.hpp"
 
 namespace sunder::core {
@@ -68,14 +69,7 @@ namespace sunder::core {
 /// Cells that still share a joined node never push each other. Which pairs may touch is searched
 /// for every kContactInterval steps, before the step: pairs of spheres whose gap is less than
 /// contactMargin().
-inline constexpr double kContactStiffness = 0.12;
-inline constexpr double kFrictionRate = 0.3;
-inline constexpr double kConstraintShare = 0.95;  ///< γ
-inline constexpr double kInelasticDamping = 0.6;  ///< α₀
-inline constexpr double kPartingTime = 0.01;      ///< s
-inline constexpr double kCrowdGap = 0.1;          ///< radii, the smaller one's
-inline constexpr int kContactInterval = 4;        ///< steps
-inline constexpr double kSweptWay = 0.1;          ///< sums of radii
+inline constexpr int kContactInterval = 4;  ///< steps
 
 /// α for a restitution e of 0 to 1: the one at which two spheres that meet head on part with e
 /// times the speed, worked out with the very steps the solvers take. Restitutions below about 0.19

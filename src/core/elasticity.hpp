@@ -1,4 +1,5 @@
 #pragma once
+#include "core/constants.hpp"
 #include "core/element_law.hpp"
 #include "core/material.hpp"
 
@@ -16,10 +17,6 @@ double stableYoungModulus(double density, double edge, double poissonRatio, doub
 /// Rotation R of the polar decomposition G = R·S: the rotation that maximises tr(RᵀG), also when G
 /// is singular or inverted.
 Mat3 polarRotation(const Mat3& G);
-
-/// Stiffness-proportional damping: stress is taken from G = F + b·h·Ḟ.
-inline constexpr double kDamping = 0.1;
-inline constexpr double kHotDamping = 0.5;
 
 /// Viscosity η, Pa·s, of strongly deformed elements: adds η·Ḟ to their stress. `reserve`: stable
 /// Young's modulus over the element's, at least 1. Where it is large, a damping of b·h seconds is
@@ -52,10 +49,6 @@ ElementStress elementStress(const ElementLaw&, ConstitutiveLaw, const Mat3& F, c
 /// the forces of a cell back, as far as its central tetrahedron turns; none where that is strongly
 /// deformed or stretched, or changes so much in the time, that it does not turn as one.
 Mat3 turnedBack(const ElementLaw&, const Mat3& F, const Mat3& rate, double h);
-/// |b·h·Ḟ|² up to which it has: a tenth of a radian.
-inline constexpr double kMostTurn2 = 0.02;
-/// |F|² up to which it has; 3 at rest.
-inline constexpr double kMostStretch2 = 4.5;
 
 /// Strain energy density, J/m³.
 double energyDensity(const ElementLaw&, ConstitutiveLaw, const Mat3& F);

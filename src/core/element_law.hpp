@@ -1,6 +1,7 @@
 #pragma once
 #include <limits>
 
+#include "core/constants.hpp"
 #include "core/types.hpp"
 
 namespace sunder::core {
@@ -9,7 +10,6 @@ namespace sunder::core {
 /// waves, not with what hits it. A blow that adds a traction which strains it by this much, and
 /// that in the material itself would be kSuddenStress times the strength, breaks a bond at once.
 inline constexpr double kSuddenStrain = 0.5;
-inline constexpr double kSuddenStress = 5;
 
 /// Constants of one material on cells of one size at the world's step: what an element needs to
 /// turn strain into stress.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/constants.hpp"
 #include "core/contact.hpp"
 #include "core/object.hpp"
 
@@ -9,65 +10,53 @@ namespace sunder::core {
 
 class World;
 
-/// How objects touch cells, each other and the ground: the model that every solver implements.
-///
-/// Everything is a rounded box: all points within a radius of a core (Object). A cell's box follows
-/// its nodes (CellMotion::box()); its radius is a tenth of its shortest edge. The normal n points
-/// from the object to what it touches, x and y are the points of the two cores that lie nearest,
-/// found by projecting kProjections times from one to the other, v is the velocity of the other
-/// side relative to the object's at the contact. What moves far in a step is moved along its way
-/// until it touches (at most kAdvances times as far as the gap allows), so nothing is jumped over.
-///
-/// Two sides touch in a step where they would come closer than the gap g allows:
-///
-///   u = −g/h (g > 0),  −g/max(kPartingTime, h/κ) (g ≤ 0),   touch where v·n < u
-///   impulse p = M·(max(u, e·|v·n|) − v·n), the e term where |v·n| > kBounceSpeed
-///   friction  opposite to the tangential v_t: min(μ·p, M_t·|v_t|)
-///   1/M = N·c + K·(1/m + (r×n)·I⁻¹(r×n)),  1/M_t = N·c + K·(1/m + |r|²·max I⁻¹)
-///
-/// An overlap never asks for more than U, what things part gently at (World::pushSpeed()): one that
-/// is deeper counts as no deeper than that, limitDepth(). With its centre
-/// in a body, where cells would push it to all sides, or its core in that of a cell, an object is
-/// pushed along the shortest way out by all of them that are whole: wayOut(). Two
-/// objects whose cores meet push each other once and not at every corner: deepTouch().
-///
-/// c is what the other side gives way per impulse: of a cell (8·Σw²)/mass, where w are the
-/// trilinear weights with which the impulse goes to its corners. N and K are the numbers of touches
-/// that the cell and the object have in this step: each touch gets its share of their masses (mass
-/// splitting, Tonge et al. 2012), so that all together never add energy. e and μ are means of both
-/// sides'.
-///
-/// A share of its mass is all that an object has to hold up another with, so a light one would sink
-/// under a heavy one. An object that others squeeze between them therefore answers touches with
-/// what it carries, m' = max(m, kLoadMargin·load), instead of m, above and in what an impulse does
-/// to its motion and spin; gravity goes on pulling at m. Squeezed means: touches whose impulses
-/// cancel, along one of the world's axes a,
-///
-///   squeeze(p) = max_a ½·(Σ|p_a| + |q_a| − |Σp_a + q_a|)/(h·g₀),  g₀ = 9.81 m/s²
-///
-/// over objects and barriers, q from all cells together or from a chain, whichever squeezes more
-/// (between chain and cells hangs a ball that breaks a wall, and that has no more to it than its
-/// mass); hits, which approach faster than kPressingSpeed, do not count, so that what is hit where
-/// it stands flies off as light as it is.
-/// The load follows squeeze(p) within kLoadTime. Within kGrowthTime it grows to what the impulses
-/// that stop an approach, at most M·|v·n|, squeeze: were it to follow an overlap so fast, which
-/// presses the harder the larger M is, it would drive a stack to swing. For the same reason loaded
-/// objects part slowly: an overlap with another object or a barrier counts as max(m/m',
-/// kLoadedDepth) of itself. Where neither objects nor barriers touch the object, the load fades
-/// within kUnloadTime. What grows heavier keeps its momentum m'·v and becomes slower, so a changing
-/// load never adds energy.
-inline constexpr double kBounceSpeed = 0.3;  ///< m/s
-inline constexpr int kProjections = 6;
-inline constexpr int kAdvances = 8;
-inline constexpr double kCellRoundness = 0.1;  ///< radius of a cell's box in shortest edges
-inline constexpr double kLoadTime = 0.05;      ///< s
-inline constexpr double kUnloadTime = 0.01;    ///< s
-inline constexpr double kGrowthTime = 1.5e-3;  ///< s, in which a load grows e times
-inline constexpr double kPressingSpeed = 1;    ///< m/s
-inline constexpr double kLoadedDepth = 0.2;    ///< with it a tower of ten boxes is overdamped
-/// An object answers as if it weighed so much more than it carries: its mass is shared out among a
-/// dozen touches and more.
-inline constexpr double kLoadMargin = 4;
+// How objects touch cells, each other and the ground: the model that every solver implements.
+//
+// Everything is a rounded box: all points within a radius of a core (Object). A cell's box follows
+// its nodes (CellMotion::box()); its radius is a tenth of its shortest edge. The normal n points
+// from the object to what it touches, x and y are the points of the two cores that lie nearest,
+// found by projecting kProjections times from one to the other, v is the velocity of the other
+// side relative to the object's at the contact. What moves far in a step is moved along its way
+// until it touches (at most kAdvances times as far as the gap allows), so nothing is jumped over.
+//
+// Two sides touch in a step where they would come closer than the gap g allows:
+//
+//   u = −g/h (g > 0),  −g/max(kPartingTime, h/κ) (g ≤ 0),   touch where v·n < u
+//   impulse p = M·(max(u, e·|v·n|) − v·n), the e term where |v·n| > kBounceSpeed
+//   friction  opposite to the tangential v_t: min(μ·p, M_t·|v_t|)
+//   1/M = N·c + K·(1/m + (r×n)·I⁻¹(r×n)),  1/M_t = N·c + K·(1/m + |r|²·max I⁻¹)
+//
+// An overlap never asks for more than U, what things part gently at (World::pushSpeed()): one that
+// is deeper counts as no deeper than that, limitDepth(). With its centre
+// in a body, where cells would push it to all sides, or its core in that of a cell, an object is
+// pushed along the shortest way out by all of them that are whole: wayOut(). Two
+// objects whose cores meet push each other once and not at every corner: deepTouch().
+//
+// c is what the other side gives way per impulse: of a cell (8·Σw²)/mass, where w are the
+// trilinear weights with which the impulse goes to its corners. N and K are the numbers of touches
+// that the cell and the object have in this step: each touch gets its share of their masses (mass
+// splitting, Tonge et al. 2012), so that all together never add energy. e and μ are means of both
+// sides'.
+//
+// A share of its mass is all that an object has to hold up another with, so a light one would sink
+// under a heavy one. An object that others squeeze between them therefore answers touches with
+// what it carries, m' = max(m, kLoadMargin·load), instead of m, above and in what an impulse does
+// to its motion and spin; gravity goes on pulling at m. Squeezed means: touches whose impulses
+// cancel, along one of the world's axes a,
+//
+//   squeeze(p) = max_a ½·(Σ|p_a| + |q_a| − |Σp_a + q_a|)/(h·g₀),  g₀ = 9.81 m/s²
+//
+// over objects and barriers, q from all cells together or from a chain, whichever squeezes more
+// (between chain and cells hangs a ball that breaks a wall, and that has no more to it than its
+// mass); hits, which approach faster than kPressingSpeed, do not count, so that what is hit where
+// it stands flies off as light as it is.
+// The load follows squeeze(p) within kLoadTime. Within kGrowthTime it grows to what the impulses
+// that stop an approach, at most M·|v·n|, squeeze: were it to follow an overlap so fast, which
+// presses the harder the larger M is, it would drive a stack to swing. For the same reason loaded
+// objects part slowly: an overlap with another object or a barrier counts as max(m/m',
+// kLoadedDepth) of itself. Where neither objects nor barriers touch the object, the load fades
+// within kUnloadTime. What grows heavier keeps its momentum m'·v and becomes slower, so a changing
+// load never adds energy.
 
 /// A box somewhere, and how far around it counts.
 struct RoundedBox {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/box_pairs.hpp"
+#include "core/constants.hpp"
 
 namespace sunder::core {
 
@@ -27,12 +28,11 @@ struct WorldDescription;
 /// - on top of it 2⁻²² of the coordinates, for solvers compute in single precision.
 inline constexpr double kOverlapShare = 0.01;
 
-/// What parts things asks for this share U/V of the parting speed: what is elastic leaves at up to
-/// twice the speed it is pushed with. (A push f that ends where sides part at U does work of at
-/// most U·∫f = U·P, and two masses that got P have at least P²/2M, so P/M ≤ 2U and the work is at
-/// most ½·M·(2U)².) That is for pushes one way, and would allow a half; the rest is for boxes,
-/// whose corners are pushed several ways at once.
-inline constexpr double kPushShare = 0.4;
+// What parts things asks for a share U/V = kPushShare of the parting speed: what is elastic leaves
+// at up to twice the speed it is pushed with. (A push f that ends where sides part at U does work
+// of at most U·∫f = U·P, and two masses that got P have at least P²/2M, so P/M ≤ 2U and the work is
+// at most ½·M·(2U)².) That is for pushes one way, and would allow a half; the rest is for boxes,
+// whose corners are pushed several ways at once.
 
 /// Two bodies that overlap as the world begins, one of which is marked, and the way out.
 ///

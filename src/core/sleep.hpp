@@ -1,4 +1,5 @@
 #pragma once
+#include "core/constants.hpp"
 #include "core/world.hpp"
 
 namespace sunder::core {
@@ -19,11 +20,10 @@ namespace sunder::core {
 inline constexpr double kSleepSpeed = 0.06;  ///< cell edges/s
 inline constexpr double kSleepDelay = 0.5;   ///< s
 
-/// The limit instead of kSleepSpeed for bodies in contact (core/contact.hpp) with themselves or
-/// others. Friction that grows with the speed of sliding holds nothing for good: a heap creeps, and
-/// now and then a piece topples for it, for half a minute; asleep, it stands. A sleeping body is
-/// woken, too, by a cell of another one that pushes it faster than this.
-inline constexpr double kCreepSpeed = 0.5;  ///< cell edges/s
+// kCreepSpeed is the limit instead of kSleepSpeed for bodies in contact (core/contact.hpp) with
+// themselves or others. Friction that grows with the speed of sliding holds nothing for good: a
+// heap creeps, and now and then a piece topples for it, for half a minute; asleep, it stands. A
+// sleeping body is woken, too, by a cell of another one that pushes it faster than this.
 
 /// m/s: an object slower than this, with what its spin adds at its farthest point, may sleep where
 /// it rests, and lie against what sleeps.

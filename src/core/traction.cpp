@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/constants.hpp"
 #include "core/diagnostics.hpp"
 #include "core/elasticity.hpp"
 #include "core/tetrahedra.hpp"
@@ -48,7 +49,7 @@ double equivalentTraction(const World& world, int cell, int axis, const CornerSt
 }
 
 double slowShare(const World& world) {
-    return std::min(1.0, world.description().fractureInterval * world.step() / 0.1);
+    return std::min(1.0, world.description().fractureInterval * world.step() / kSlowTime);
 }
 
 void makeStressesSlow(const World& world, int index, State& state) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/cell.hpp"
+#include "core/constants.hpp"
 #include "core/description.hpp"
 #include "core/element_law.hpp"
 #include "core/event.hpp"

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "core/constants.hpp"
 #include "core/contact.hpp"
 #include "gpu/feedback.hpp"
 
@@ -18,8 +19,6 @@ namespace {
 /// (glsl/incidents/rank.glsl).
 constexpr std::int64_t kMostSpheres = (1 << 24) - 2 - kMaxObjects;
 
-constexpr std::int64_t kHasteUnit = 1024;  ///< glsl/contact/left_out.glsl
-constexpr int kMostPartners = 28;          ///< glsl/contact/search.frag
 constexpr int kPartnerLayers = 1 + kMostPartners / 4;
 
 int countSpheres(const World& world) {

@@ -5,6 +5,8 @@
 
 #include "gpu/layout.hpp"
 
+#include "core/constants.hpp"
+
 namespace sunder::gpu {
 
 using namespace core;
@@ -13,7 +15,6 @@ namespace {
 
 /// A look finds at most so many incidents, or the ring's capacity, whichever is more.
 constexpr std::size_t kLeastRoom = 4096;
-constexpr std::int32_t kNobody = (1 << 24) - 1;  ///< glsl/incidents/rank.glsl
 
 GLuint resultOf(const gl::Query& query) {
     GLuint result = 0;
