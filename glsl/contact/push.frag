@@ -1,9 +1,7 @@
 // Contact forces, one fragment per sphere. CORNERS: added to those on the corners of its cell, whose only sphere it is.
 // IMPULSES: not the forces, but how hard it is pushed and by whom.
 #include "contact/sphere_texel.glsl"
-#if IMPULSES
 #include "incidents/rank.glsl"
-#endif
 #include "physics/contact.glsl"
 #if PARTINGS
 #include "contact/parting.glsl"
