@@ -6,6 +6,7 @@
 
 #include "app/bench_contest.hpp"
 #include "app/bench_drawing.hpp"
+#include "app/bench_library.hpp"
 #include "app/bench_report.hpp"
 #include "app/bench_scenes.hpp"
 #include "app/bench_table.hpp"
@@ -161,6 +162,7 @@ class Bench {
                       << drawingText(report_.drawn, *report_.msDisplayMeshBuild);
         std::cout << std::endl;
         measureExplosions(scene);
+        measureDoor(scene);
     }
 
     void measureExplosions(const scene::Scene& scene) {
@@ -172,6 +174,12 @@ class Bench {
         };
         const Results calm = measure("calm", 0), blasts = measure("explosions", kExplosions);
         std::cout << explosionsText(calm, blasts, kExplosions) << std::endl;
+    }
+
+    /// What it costs to be a library.
+    void measureDoor(const scene::Scene& scene) {
+        report_.library = measureLibrary(withExplosions(scene, 0), limits_, context_.get());
+        std::cout << libraryText(report_.library) << std::endl;
     }
 
     /// What drawing costs beside simulating.

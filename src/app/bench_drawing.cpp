@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 
 #include "app/bench_scenes.hpp"
 #include "app/bench_table.hpp"
+#include "sim_gl/deformed_mesh.hpp"
 #include "surface/display_mesh.hpp"
 
 namespace sunder::app {
@@ -19,14 +21,12 @@ double seconds(std::chrono::steady_clock::time_point since) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
 }
 
-/// ms per picture: as many in a row as fit.
-double medianOfPictures(render::Renderer& renderer, const gpu::StateView& view,
-                        const scene::CameraDescription& camera,
-                        const render::RenderSettings& settings, const BenchLimits& limits) {
+/// ms each: as many in a row as fit.
+double medianOf(const std::function<void()>& draw, const BenchLimits& limits) {
     const auto timed = [&](int pictures) {
         glFinish();
         const auto start = std::chrono::steady_clock::now();
-        for (int i = 0; i < pictures; ++i) renderer.render(view, camera, settings);
+        for (int i = 0; i < pictures; ++i) draw();
         glFinish();
         return seconds(start) / pictures;
     };
@@ -56,9 +56,12 @@ DrawingResult measureDrawing(const scene::Scene& scene, const World& world, cons
     result.cells = world.presentCells();
     result.vertices = renderer.displayMesh().vertices().size();
     result.triangles = renderer.displayMesh().indices().size() / 3;
-    result.msDisplay = medianOfPictures(renderer, view, scene.camera, settings, limits);
+    const auto picture = [&] { renderer.render(view, scene.camera, settings); };
+    result.msDisplay = medianOf(picture, limits);
     settings.mesh = render::DrawnMesh::Simulation;
-    result.msSimulation = medianOfPictures(renderer, view, scene.camera, settings, limits);
+    result.msSimulation = medianOf(picture, limits);
+    const sim_gl::DeformedMesh mesh(world, buffers);
+    result.msSurface = medianOf([&] { mesh.update(view); }, limits);
     return result;
 }
 
@@ -78,10 +81,12 @@ double measureDisplayMeshBuild(const BenchLimits& limits) {
 
 std::string drawingText(const std::vector<DrawingResult>& drawn, double msBuild) {
     std::vector<std::vector<std::string>> rows{{"ms per picture", "display mesh", "simulation mesh",
-                                                "1/60 s of gather", "display mesh / gather"}};
+                                                "Surface::update", "1/60 s of gather",
+                                                "display mesh / gather"}};
     for (const DrawingResult& result : drawn)
         rows.push_back({result.state, shortNumber(result.msDisplay),
-                        shortNumber(result.msSimulation), shortNumber(result.msGather),
+                        shortNumber(result.msSimulation), shortNumber(result.msSurface),
+                        shortNumber(result.msGather),
                         shortNumber(result.msDisplay / result.msGather)});
     const DrawingResult& any = drawn.front();
     return textTable(rows) + "  The display mesh has " + withCommas(any.vertices) +

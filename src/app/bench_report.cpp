@@ -73,7 +73,8 @@ std::string machineLine(const BenchReport& report) {
 
 std::string benchJson(const BenchReport& report) {
     ordered_json results = ordered_json::array(), skipped = ordered_json::array(),
-                 passes = ordered_json::array(), drawn = ordered_json::array();
+                 passes = ordered_json::array(), drawn = ordered_json::array(),
+                 library = ordered_json::array();
     for (const BenchResult& result : report.results) {
         if (result.skipped.empty())
             results.push_back(toJson(result));
@@ -101,7 +102,15 @@ std::string benchJson(const BenchReport& report) {
                          {"triangles", result.triangles},
                          {"ms_display", result.msDisplay},
                          {"ms_simulation", result.msSimulation},
+                         {"ms_surface", result.msSurface},
                          {"ms_gather", result.msGather}});
+    for (const LibraryResult& result : report.library)
+        library.push_back({{"scene", result.scene},
+                           {"solver", result.label},
+                           {"ms_solver", result.msSolver},
+                           {"ms_library", result.msLibrary},
+                           {"ratio", result.ratio},
+                           {"frames", result.frames}});
     const ordered_json json = {{"machine", report.processor},
                                {"cores", report.cores},
                                {"gl_renderer", report.renderer},
@@ -110,6 +119,7 @@ std::string benchJson(const BenchReport& report) {
                                {"skipped", skipped},
                                {"passes", passes},
                                {"drawn", drawn},
+                               {"library", library},
                                {"ms_display_mesh_build", orNull(report.msDisplayMeshBuild)}};
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

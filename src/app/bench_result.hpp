@@ -54,7 +54,16 @@ struct DrawingResult {
     int bodies = 0, cells = 0;
     std::size_t vertices = 0, triangles = 0;  ///< of the display mesh
     double msDisplay = 0, msSimulation = 0;   ///< per picture of either mesh
+    double msSurface = 0;                     ///< of deforming that one for a host that draws it
     double msGather = 0;                      ///< that `gather` simulates 1/60 s from there
+};
+
+/// Frames through the public library and by the solver alone, in turn.
+struct LibraryResult {
+    std::string scene, label;            ///< label: Entrant::label()
+    double msSolver = 0, msLibrary = 0;  ///< medians
+    double ratio = 1;                    ///< median of each frame's
+    int frames = 0;
 };
 
 struct BenchReport {
@@ -64,6 +73,7 @@ struct BenchReport {
     std::vector<BenchResult> results;
     std::vector<PassResult> passes;
     std::vector<DrawingResult> drawn;
+    std::vector<LibraryResult> library;
     std::optional<double> msDisplayMeshBuild;  ///< of a wooden wall of 2,000 cells
 };
 
