@@ -24,7 +24,7 @@ std::string copyName(const BodyDescription& body, std::int64_t number) {
 
 void BodyReader::readAll(const TableReader& scene) {
     const TableReader::Keys keys{"name",   "material", "size",    "cells",  "position", "rotation",
-                                 "anchor", "copies",   "spacing", "region", "overlap"};
+                                 "anchor", "copies",   "spacing", "region", "overlap",  "present"};
     const std::vector<TableReader> readers = scene.tables("body", keys, kMaxBodies);
     if (readers.empty())
         scene.fail(
@@ -43,6 +43,7 @@ void BodyReader::readBody(const TableReader& reader) {
     reader.read(kRotationRule, degrees);
     body.orientation = fromDegrees(degrees.rotation);
     body.mayOverlap = readOverlap(reader);
+    reader.read("present", body.present);
     body.where = reader.where("position");
     for (const std::size_t side : reader.readChoices("anchor", kSideNames))
         body.anchors.push_back(static_cast<Side>(side));

@@ -119,6 +119,7 @@ void addBody(Writer& out, const BodyDescription& body, const std::string& name,
         anchors += (anchors.empty() ? "" : ", ") + text(kSideNames[static_cast<int>(side)]);
     out.addRaw("anchor", "[" + anchors + "]");
     if (body.mayOverlap) out.add("overlap", std::string_view("allow"));
+    if (!body.present) out.add("present", false);
     for (const RegionDescription& region : body.regions) {
         out.heading("[[body.region]]");
         out.add("from", region.from);

@@ -64,6 +64,29 @@ TEST_CASE("The background shows through a removed cell", "[render]") {
     }
 }
 
+TEST_CASE("A body that is not there is in no picture and casts no shadow", "[render]") {
+    WorldDescription description = wallDescription();
+    const World alone(description);
+    BodyDescription visitor = description.bodies[0];
+    visitor.name = "visitor";
+    visitor.position += Vec3(0.5, 0, 0.6);  // before the wall, on the way of the light
+    description.bodies.push_back(visitor);
+    const World both(description);
+    description.bodies[1].present = false;
+    const World absent(description);
+    for (const render::DrawnMesh mesh :
+         {render::DrawnMesh::Display, render::DrawnMesh::Simulation}) {
+        CAPTURE(mesh);
+        const auto drawn = [&](const World& world) {
+            return picture(world, world.initialState(), frontCamera(), render::DrawStyle::Solid,
+                           mesh);
+        };
+        const image::Image wall = drawn(alone);
+        CHECK(differing(wall, drawn(both), 8) > 1000);
+        CHECK(differing(wall, drawn(absent), 0) == 0);
+    }
+}
+
 TEST_CASE("A broken bond that has not opened is a dark line, and nothing else", "[render]") {
     const World world(wallDescription());
     const Body& wall = world.bodies()[0];

@@ -124,3 +124,14 @@ TEST_CASE("A scene that was saved runs to the same state, to the bit", "[scene]"
         CHECK(hashAfter(again, 4) == hashAfter(scene, 4));
     }
 }
+
+TEST_CASE("A body that is not there from the start is saved as such", "[scene]") {
+    const std::string body =
+        "[[body]]\nname = \"wall\"\nmaterial = \"wood\"\nsize = [1, 1, 0.1]\ncells = [4, 4, 1]\n";
+    CHECK(scene::parseScene(body, "there.toml", {}).world.bodies[0].present);
+    const scene::Scene scene = scene::parseScene(body + "present = false\n", "absent.toml", {});
+    CHECK_FALSE(scene.world.bodies[0].present);
+    CHECK_FALSE(
+        scene::parseScene(scene::writeScene(scene), "absent.toml", {}).world.bodies[0].present);
+    CHECK(World(scene.world).initialState().absent == std::vector{0});
+}
