@@ -81,19 +81,23 @@ constexpr Rule<M> kMaterial[] = {
     {"avg_display_section_width",
      {0.001, 100, "m"},
      &M::avgDisplaySectionWidth,
-     "Width of a visible section, before chance is added."},
+     "Length of a horizontal edge on which horiz_edge_frequency points come. Smaller: finer "
+     "splinters."},
     {"avg_display_section_height",
      {0.001, 100, "m"},
      &M::avgDisplaySectionHeight,
-     "Height of a visible section, before chance is added."},
+     "Length of a vertical edge on which vert_edge_frequency points come. Smaller: finer "
+     "splinters."},
     {"rand_display_section_width",
      {0, 100, "m"},
      &M::randDisplaySectionWidth,
-     "Chance added to the width. Higher: sections differ more."},
+     "Corners of torn pieces lie at random by up to half of this to either side. Larger: less "
+     "regular."},
     {"rand_display_section_height",
      {0, 100, "m"},
      &M::randDisplaySectionHeight,
-     "Chance added to the height. Higher: sections differ more."},
+     "Corners of torn pieces lie at random by up to half of this up or down. Larger: less "
+     "regular."},
     {"horiz_edge_frequency",
      {0, 20},
      &M::horizEdgeFrequency,

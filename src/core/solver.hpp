@@ -68,12 +68,12 @@ class Solver {
     /// others, as far as is known: contacts between them may have been missed where that is more
     /// than 1. Empty for a solver that follows at any speed.
     virtual std::vector<double> contactHaste() const { return {}; }
-    /// From now on incidents go there; null: nowhere, the default, at no cost. The state does not
-    /// depend on it. Solvers on a GPU hand them over two looks late, all in finish(). The ring
-    /// must outlive its use here.
+    /// Where incidents go from now on. Null, the default: none are looked for, at no cost. The
+    /// state does not depend on it. Solvers on a GPU hand them over two looks late, all in
+    /// finish(). The ring must outlive its use here.
     virtual void setIncidents(IncidentRing* ring) = 0;
-    /// From now on it is told; null: nobody, the default, at no cost. The state does not depend on
-    /// it. False: this solver has nothing to tell.
+    /// Who is told of passes from now on. Null, the default: nobody, at no cost. The state does not
+    /// depend on it. False: this solver has nothing to tell.
     virtual bool setPassObserver([[maybe_unused]] PassObserver* observer) { return false; }
 };
 

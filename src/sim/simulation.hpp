@@ -59,7 +59,9 @@ class Simulation {
     /// Throws an object at once, whatever `time` the throw has. Throws InputError for what
     /// check() would refuse of it.
     void throwObject(const core::ThrowDescription&);
-    /// Puts an object somewhere at once. Its index and the numbers of the state must make sense.
+    /// Puts an object somewhere at once, or takes it away (`present`). Precondition: there is such
+    /// an object, and all numbers of the state are finite, its orientation of length 1; who has
+    /// them from elsewhere checks them, as World::setKinematic() does.
     void putObject(int object, const core::ObjectState&);
     /// Puts a body there or takes it away (core::Solver::setPresent()): at once where the step is
     /// divisible by kContactInterval, else at the next one that is, on the way of advance(). So
