@@ -8,25 +8,33 @@ debian_mirror() {
         awk -v codename="$(. /etc/os-release && echo "$VERSION_CODENAME")" '$2 == codename { print $1; exit }'
 }
 
+make_first() { # CODENAME FOLDER
+    local codename=$1 folder=$2
+    rm -rf "$folder"
+    mkdir -p "$folder"
+    debootstrap --variant=minbase "$codename" "$folder" "$(debian_mirror)" >"$folder.log" 2>&1 || {
+        tail -n 20 "$folder.log"
+        return 1
+    }
+    # The machine's own settings of apt, a proxy's address among them. No service is started, nothing is fsynced.
+    cp -rL /etc/apt/apt.conf.d/. "$folder/etc/apt/apt.conf.d/" || return 1
+    rm -f "$folder"/etc/apt/apt.conf.d/*{packagekit,PackageKit,postgresql}*
+    printf '#!/bin/sh\nexit 101\n' >"$folder/usr/sbin/policy-rc.d"
+    chmod +x "$folder/usr/sbin/policy-rc.d"
+    echo force-unsafe-io >"$folder/etc/dpkg/dpkg.cfg.d/quick"
+    touch "$folder/made"
+}
+
 # make_root CODENAME FOLDER: a minimal system of that release, such as `trixie`, unless it is there. A second one is a copy.
 make_root() {
     local codename=$1 folder=$2 first=build/roots/$1
     [[ ! -e $folder/made ]] || return 0
-    if [[ ! -e $first/made ]]; then
-        rm -rf "$first"
-        mkdir -p "$first"
-        debootstrap --variant=minbase "$codename" "$first" "$(debian_mirror)" >"$first.log" 2>&1 || {
-            tail -n 20 "$first.log"
-            return 1
-        }
-        # The machine's own settings of apt, a proxy's address among them. No service is started, nothing is fsynced.
-        cp -rL /etc/apt/apt.conf.d/. "$first/etc/apt/apt.conf.d/" || return 1
-        rm -f "$first"/etc/apt/apt.conf.d/*{packagekit,PackageKit,postgresql}*
-        printf '#!/bin/sh\nexit 101\n' >"$first/usr/sbin/policy-rc.d"
-        chmod +x "$first/usr/sbin/policy-rc.d"
-        echo force-unsafe-io >"$first/etc/dpkg/dpkg.cfg.d/quick"
-        touch "$first/made"
-    fi
+    mkdir -p build/roots
+    # Two may ask for it at once.
+    (
+        flock 9
+        [[ -e $first/made ]] || make_first "$codename" "$first"
+    ) 9>"$first.lock" || return 1
     rm -rf "$folder"
     mkdir -p "$(dirname "$folder")"
     cp -a "$first" "$folder"
