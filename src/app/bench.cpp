@@ -162,7 +162,7 @@ class Bench {
                       << drawingText(report_.drawn, *report_.msDisplayMeshBuild);
         std::cout << std::endl;
         measureExplosions(scene);
-        measureDoor(scene);
+        measureThroughLibrary(scene);
     }
 
     void measureExplosions(const scene::Scene& scene) {
@@ -176,8 +176,7 @@ class Bench {
         std::cout << explosionsText(calm, blasts, kExplosions) << std::endl;
     }
 
-    /// What it costs to be a library.
-    void measureDoor(const scene::Scene& scene) {
+    void measureThroughLibrary(const scene::Scene& scene) {
         report_.library = measureLibrary(withExplosions(scene, 0), limits_, context_.get());
         std::cout << libraryText(report_.library) << std::endl;
     }

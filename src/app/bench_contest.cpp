@@ -1,13 +1,13 @@
 #include "app/bench_contest.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "app/bench_table.hpp"
 #include "app/machine.hpp"
 #include "app/progress.hpp"
 #include "app/start.hpp"
+#include "app/stopwatch.hpp"
 #include "sim_gl/drawn_state.hpp"
 
 namespace sunder::app {
@@ -17,16 +17,6 @@ using namespace core;
 namespace {
 
 constexpr double kGpuWarmUp = 0.3;  // s
-
-class Stopwatch {
-  public:
-    double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-  private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 double brokenShare(const World& world, const State& state) {
     if (world.bondCount() == 0) return 0;

@@ -1,11 +1,11 @@
 #include "app/bench_drawing.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 
 #include "app/bench_scenes.hpp"
 #include "app/bench_table.hpp"
+#include "app/stopwatch.hpp"
 #include "sim_gl/deformed_mesh.hpp"
 #include "surface/display_mesh.hpp"
 
@@ -17,18 +17,14 @@ namespace {
 
 constexpr int kMostPictures = 30;
 
-double seconds(std::chrono::steady_clock::time_point since) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
-}
-
 /// ms each: as many in a row as fit.
 double medianOf(const std::function<void()>& draw, const BenchLimits& limits) {
     const auto timed = [&](int pictures) {
         glFinish();
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         for (int i = 0; i < pictures; ++i) draw();
         glFinish();
-        return seconds(start) / pictures;
+        return watch.seconds() / pictures;
     };
     timed(1);  // what is made when it is first needed
     const double estimate = timed(1);
@@ -72,9 +68,9 @@ double measureDisplayMeshBuild(const BenchLimits& limits) {
     const World world(scene.world);
     std::vector<double> samples;
     for (int repeat = 0; repeat < limits.repeats; ++repeat) {
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         const surface::DisplayMesh mesh(world);
-        samples.push_back(1000 * seconds(start));
+        samples.push_back(1000 * watch.seconds());
     }
     return median(samples);
 }

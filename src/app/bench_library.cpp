@@ -1,10 +1,10 @@
 #include "app/bench_library.hpp"
 
 #include <algorithm>
-#include <chrono>
 
 #include "app/bench_table.hpp"
 #include "app/machine.hpp"
+#include "app/stopwatch.hpp"
 #include "sim_gl/solvers.hpp"
 #include "sunder/convert.hpp"
 #include "sunder/gl.hpp"
@@ -15,56 +15,61 @@ namespace {
 
 constexpr int kMostFrames = 300;
 
+[[noreturn]] void fail(const Error& error) {
+    if (error.code == Error::Code::Device) throw core::DeviceError(error.message);
+    throw core::InputError(error.message);
+}
+
 template <class Work>
 double milliseconds(const Work& work) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     work();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-        .count();
+    return 1000 * watch.seconds();
 }
 
-template <class Value>
-Value orThrow(Result<Value> result) {
-    if (!result) throw core::InputError(result.error().message);
-    return std::move(*result);
-}
-
-LibraryResult measure(const scene::Scene& scene, const sim::SolverInfo& info, int threads,
-                      const sim_gl::GlLayout& layout, gl::Device* device,
-                      const BenchLimits& limits) {
-    const sim::MadeSolver made = info.make(layout, threads);
-    World world = orThrow(World::create(fromCore(scene.world), {.device = device,
-                                                                .solver = info.name,
+/// Fills in times, or why there are none.
+void measure(LibraryResult& result, const scene::Scene& scene, const sim_gl::GlLayout& layout,
+             gl::Device* device, const BenchLimits& limits) {
+    const auto& [info, threads] = result.entrant;
+    const sim::MadeSolver made = info->make(layout, threads);
+    Result<World> world = World::create(fromCore(scene.world), {.device = device,
+                                                                .solver = info->name,
                                                                 .threads = threads,
                                                                 .incidents = 0,
-                                                                .settle = false}));
-    const auto bySolver = [&] {
-        made.solver->advance(scene.substeps);
-        made.solver->finish();
+                                                                .settle = false});
+    if (!world) fail(world.error());
+    const auto bySolver = [&](int steps) {
+        return milliseconds([&] {
+            made.solver->advance(steps);
+            made.solver->finish();
+        });
     };
-    const auto byLibrary = [&] {
-        const bool done = world.step(scene.substeps * scene.world.step) && world.finish();
-        if (!done) throw core::InputError("the library does not get through a frame");
+    const auto byLibrary = [&](int steps) {
+        return milliseconds([&] {
+            if (const auto done = world->step(steps * scene.world.step); !done) fail(done.error());
+            if (const auto done = world->finish(); !done) fail(done.error());
+        });
     };
-    // What is made when it is first needed.
-    for (int i = 0; i < 2; ++i) {
-        bySolver();
-        byLibrary();
+    // What is made when it is first needed; what is slow is left before a frame.
+    double step = 0;
+    for (int i = 0; i < 4; ++i) step = bySolver(1) + byLibrary(1);
+    const double frame = step * scene.substeps, room = 1000 * limits.secondsPerCell;
+    if (frame * limits.repeats > room) {
+        result.skipped = "a frame takes about " + shortNumber(frame / 2000) + " s";
+        return;
     }
-    const double estimate = milliseconds(bySolver) + milliseconds(byLibrary);
-    const int frames = std::clamp(static_cast<int>(1000 * limits.secondsPerCell / estimate),
-                                  limits.repeats, kMostFrames);
+    result.frames = std::clamp(static_cast<int>(room / frame), limits.repeats, kMostFrames);
     std::vector<double> solver, library, ratios;
-    for (int frame = 0; frame < frames; ++frame) {
+    for (int i = 0; i < result.frames; ++i) {
         // Whoever is first finds caches of the other.
-        if (frame % 2) library.push_back(milliseconds(byLibrary));
-        solver.push_back(milliseconds(bySolver));
-        if (frame % 2 == 0) library.push_back(milliseconds(byLibrary));
+        if (i % 2) library.push_back(byLibrary(scene.substeps));
+        solver.push_back(bySolver(scene.substeps));
+        if (i % 2 == 0) library.push_back(byLibrary(scene.substeps));
         ratios.push_back(library.back() / solver.back());
     }
-    return {scene.name,     Entrant{&info, threads}.label(),
-            median(solver), median(library),
-            median(ratios), frames};
+    result.msSolver = median(solver);
+    result.msLibrary = median(library);
+    result.ratio = median(ratios);
 }
 
 }  // namespace
@@ -73,22 +78,38 @@ std::vector<LibraryResult> measureLibrary(const scene::Scene& scene, const Bench
                                           const window::Context* context) {
     sim_gl::GlLayout layout(scene.world);
     std::vector<LibraryResult> results;
-    results.push_back(
-        measure(scene, sim_gl::findSolver("cpu"), coreCount(), layout, nullptr, limits));
+    const auto add = [&](const char* name, int threads, gl::Device* device) {
+        LibraryResult& result = results.emplace_back();
+        result.scene = scene.name;
+        result.entrant = {&sim_gl::findSolver(name), threads};
+        result.tetrahedra = core::kTetrahedraPerCell * layout.world().presentCells();
+        try {
+            if (device) layout.upload();
+            measure(result, scene, layout, device, limits);
+        } catch (const core::InputError& error) {  // there is no room for it
+            result.skipped = error.what();
+        }
+    };
+    add("cpu", coreCount(), nullptr);
     if (!context) return results;
-    layout.upload();
     gl::Device device({.getProcAddress = context->loadFunction()});
-    results.push_back(measure(scene, sim_gl::findSolver("gather"), 1, layout, &device, limits));
+    add("gather", 1, &device);
     return results;
 }
 
 std::string libraryText(const std::vector<LibraryResult>& results) {
     std::vector<std::vector<std::string>> rows{
         {"ms a frame", "by the solver alone", "through the library", "the library adds"}};
-    for (const LibraryResult& result : results)
-        rows.push_back({result.label, shortNumber(result.msSolver), shortNumber(result.msLibrary),
-                        shortNumber(100 * (result.ratio - 1)) + " %"});
-    return textTable(rows);
+    std::string skipped;
+    for (const LibraryResult& result : results) {
+        const std::string label = result.entrant.label();
+        if (!result.skipped.empty())
+            skipped += "  " + label + ": " + result.skipped + "\n";
+        else
+            rows.push_back({label, shortNumber(result.msSolver), shortNumber(result.msLibrary),
+                            shortNumber(100 * (result.ratio - 1)) + " %"});
+    }
+    return textTable(rows) + skipped;
 }
 
 }  // namespace sunder::app

@@ -62,6 +62,13 @@ ordered_json toJson(const BenchResult& result) {
             {"runs", result.runs}};
 }
 
+ordered_json skippedJson(const std::string& part, const std::string& scene,
+                         const std::string& solver, int threads, int tetrahedra,
+                         const std::string& why) {
+    return {{"part", part},       {"scene", scene},           {"solver", solver},
+            {"threads", threads}, {"tetrahedra", tetrahedra}, {"why", why}};
+}
+
 }  // namespace
 
 std::string machineLine(const BenchReport& report) {
@@ -79,12 +86,8 @@ std::string benchJson(const BenchReport& report) {
         if (result.skipped.empty())
             results.push_back(toJson(result));
         else
-            skipped.push_back({{"part", result.part},
-                               {"scene", result.scene},
-                               {"solver", result.solver},
-                               {"threads", result.threads},
-                               {"tetrahedra", result.tetrahedra},
-                               {"why", result.skipped}});
+            skipped.push_back(skippedJson(result.part, result.scene, result.solver, result.threads,
+                                          result.tetrahedra, result.skipped));
     }
     for (const PassResult& pass : report.passes)
         passes.push_back({{"scene", pass.scene},
@@ -104,13 +107,21 @@ std::string benchJson(const BenchReport& report) {
                          {"ms_simulation", result.msSimulation},
                          {"ms_surface", result.msSurface},
                          {"ms_gather", result.msGather}});
-    for (const LibraryResult& result : report.library)
+    for (const LibraryResult& result : report.library) {
+        if (!result.skipped.empty()) {
+            skipped.push_back(skippedJson("library", result.scene, result.entrant.solver->name,
+                                          result.entrant.threads, result.tetrahedra,
+                                          result.skipped));
+            continue;
+        }
         library.push_back({{"scene", result.scene},
-                           {"solver", result.label},
+                           {"solver", result.entrant.solver->name},
+                           {"threads", result.entrant.threads},
                            {"ms_solver", result.msSolver},
                            {"ms_library", result.msLibrary},
                            {"ratio", result.ratio},
                            {"frames", result.frames}});
+    }
     const ordered_json json = {{"machine", report.processor},
                                {"cores", report.cores},
                                {"gl_renderer", report.renderer},

@@ -9,7 +9,7 @@ namespace sunder::app {
 
 /// One line of competitors: a solver, and with how many threads.
 struct Entrant {
-    const sim::SolverInfo* solver;
+    const sim::SolverInfo* solver = nullptr;
     int threads = 1;  ///< 1 unless the solver is threaded
     /// "gather", "cpu, 2 threads"
     std::string label() const;
@@ -60,10 +60,13 @@ struct DrawingResult {
 
 /// Frames through the public library and by the solver alone, in turn.
 struct LibraryResult {
-    std::string scene, label;            ///< label: Entrant::label()
+    std::string scene;
+    Entrant entrant;
+    int tetrahedra = 0;
     double msSolver = 0, msLibrary = 0;  ///< medians
     double ratio = 1;                    ///< median of each frame's
     int frames = 0;
+    std::string skipped;  ///< why it was not measured; empty: it was
 };
 
 struct BenchReport {

@@ -1,6 +1,5 @@
 // sunder run: scene file → world → solver → node buffer → picture, without a screen.
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -13,6 +12,7 @@
 #include "app/run_options.hpp"
 #include "app/run_report.hpp"
 #include "app/start.hpp"
+#include "app/stopwatch.hpp"
 #include "core/limit_notes.hpp"
 #include "core/loss_notes.hpp"
 #include "files/held_signals.hpp"
@@ -107,12 +107,10 @@ void play(const RunOptions& options, const std::string& name, sim::Simulation& s
         progress.update(frame);
         if (painter) deliver(frame, options.fps, *painter, sinks);
         if (frame == facts.frames) break;
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         simulation.advance(facts.stepsPerFrame);
         simulation.finish();
-        const std::chrono::duration<double, std::milli> elapsed =
-            std::chrono::steady_clock::now() - start;
-        facts.msPerStep.push_back(elapsed.count() / facts.stepsPerFrame);
+        facts.msPerStep.push_back(1000 * watch.seconds() / facts.stepsPerFrame);
         facts.incidents.take(simulation);
     }
 }

@@ -5,6 +5,7 @@
 #include "core/pieces.hpp"
 #include "core/saved_state.hpp"
 #include "support/object_worlds.hpp"
+#include "support/same_body.hpp"
 #include "support/solver_under_test.hpp"
 #include "support/worlds.hpp"
 
@@ -53,18 +54,6 @@ WorldDescription standingOn(bool lower) {
     d.contact = true;
     d.ground = true;
     return d;
-}
-
-/// Whether everything of a body is the same to the bit.
-bool sameBody(const World& world, const State& a, const State& b, int index) {
-    const Body& body = world.bodies()[index];
-    const auto same = [&](const auto& x, const auto& y, int each) {
-        const auto first = each * body.firstCell, count = each * body.cellCount();
-        return std::equal(x.begin() + first, x.begin() + first + count, y.begin() + first);
-    };
-    return same(a.displacement, b.displacement, kCorners) &&
-           same(a.velocity, b.velocity, kCorners) && same(a.damage, b.damage, kBondsPerCell) &&
-           same(a.slow, b.slow, kBondsPerCell) && same(a.slowStress, b.slowStress, 1);
 }
 
 /// m, mean height of a body's nodes over where they are at rest.
