@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/event.hpp"
 #include "core/limits.hpp"
 #include "core/names.hpp"
 #include "core/orientation.hpp"
@@ -241,7 +242,3 @@ std::string writeScene(const Scene& scene) {
 }
 
 }  // namespace sunder::scene
-#include "core/event.hpp"
-#include "core/limits.hpp"
-#include "core/names.hpp"
-#include "core/wording.hpp"

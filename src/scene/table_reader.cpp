@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/wording.hpp"
+
 namespace sunder::scene {
 
 using namespace core;
@@ -253,4 +255,3 @@ std::vector<std::pair<std::string, TableReader>> TableReader::namedTables(
 }
 
 }  // namespace sunder::scene
-#include "core/wording.hpp"
