@@ -12,6 +12,8 @@ struct CameraDescription {
     core::Vec3 position{0, 1.6, 5};  ///< m
     core::Vec3 target{0, 1, 0};      ///< m
     double fieldOfView = 45;         ///< degrees, vertical, 1 to 170
+
+    bool operator==(const CameraDescription&) const = default;
 };
 
 /// A scene file, read and checked. `world.step` is 1/(60·substeps).

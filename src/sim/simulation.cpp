@@ -117,6 +117,16 @@ std::int64_t Simulation::nextSearch() const {
     return (step_ + kContactInterval - 1) / kContactInterval * kContactInterval;
 }
 
+bool Simulation::atRest() const {
+    if (!changes_.empty()) return false;
+    for (int body = 0; body < static_cast<int>(world().bodies().size()); ++body)
+        if (made_.solver->present(body) && !made_.solver->asleep(body)) return false;
+    for (int object = 0; object < static_cast<int>(world().objects().size()); ++object)
+        if (!world().description().objects[object].fixed && !made_.solver->objectAsleep(object))
+            return false;
+    return true;
+}
+
 void Simulation::advance(int steps) {
     if (!changes_.empty() && step_ + steps >= nextSearch()) {
         const auto first = static_cast<int>(nextSearch() - step_);

@@ -71,6 +71,9 @@ class Simulation {
     /// Whether it is there, or will be by what setPresent() was told last.
     bool present(int body) const;
 
+    /// Whether time changes nothing until something is put in: all bodies that are there and all
+    /// objects that can move are known to sleep. Waits for nothing.
+    bool atRest() const;
     /// Whole substeps. May return before a GPU is done.
     void advance(int steps);
     /// Waits for it.

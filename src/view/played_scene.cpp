@@ -35,11 +35,13 @@ PlayedScene::PlayedScene(scene::Scene scene, const std::string& solver, bool hit
 
 void PlayedScene::setSolver(const std::string& name) {
     simulation_.setSolver(sim_gl::findSolver(name));
+    ++changes_;
 }
 
 void PlayedScene::restart() {
     simulation_.restart();
     atStart_ = true;
+    ++changes_;
 }
 
 void PlayedScene::push(const Push& push) {
@@ -63,10 +65,15 @@ void PlayedScene::push(const Push& push) {
 
 void PlayedScene::advance(const std::vector<Push>& pushes, int steps) {
     atStart_ &= pushes.empty() && steps < 1;
+    const bool rested = pushes.empty() && simulation_.atRest();
     for (const Push& some : pushes) push(some);
-    if (steps < 1) return;
-    simulation_.advance(steps);
-    simulation_.finish();
+    if (steps > 0) {
+        simulation_.advance(steps);
+        simulation_.finish();
+    }
+    // What begins to act, such as a hit of the scene, wakes what it acts on.
+    const bool still = steps < 1 ? pushes.empty() : rested && simulation_.atRest();
+    if (!still) ++changes_;
 }
 
 void PlayedScene::timePasses(gpu::PassTimer* timer) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,8 @@ class PlayedScene {
     void restart();
     /// Whether nothing has happened since the start.
     bool atStart() const { return atStart_; }
+    /// Another number whenever the state may have changed.
+    std::int64_t changes() const { return changes_; }
     /// What is to be said of how the world begins; empty where there is nothing.
     std::string startWarning() { return cpu::restlessWarning(simulation_.start()); }
     /// Pushes, then advances, then waits until it is done. Bodies that nothing pushes sleep on.
@@ -58,6 +61,7 @@ class PlayedScene {
     sim::Simulation simulation_;
     sim_gl::DrawnState drawn_;
     bool atStart_;
+    std::int64_t changes_ = 0;
 };
 
 }  // namespace sunder::view

@@ -1,9 +1,11 @@
 #include "view/viewer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "core/loss_notes.hpp"
@@ -51,9 +53,9 @@ class Viewer {
     void goOn() {
         auto last = Instant::now();
         while (!window_.closing() && !files::notedSignal()) {
-            // Nothing moves while it is paused, so a frame then waits for what the user does.
+            // Where nothing moves, a frame waits for what the user does. A video need not.
             constexpr double kFrame = 1.0 / 60;
-            const bool still = session_.clock.paused();
+            const bool still = session_.clock.paused() || (still_ && !session_.recording());
             window_.poll(still ? std::max(0.0, kFrame - secondsSince(last)) : 0);
             const auto now = Instant::now();
             const double elapsed = seconds(now - std::exchange(last, now));
@@ -214,10 +216,25 @@ class Viewer {
         }
         if (session_.measuring) render.timer = &drawingTimer_;
         interface_.clear();
-        stage.renderer.render(stage.simulation.view(), session_.camera.description(), render);
+        const Drawn wanted{session_.generation(),
+                           stage.simulation.changes(),
+                           session_.camera.description(),
+                           {render.width, render.height, render.samples},
+                           render.mesh,
+                           render.style};
+        // Colours of what is measured adapt from frame to frame, and who measures wants to know
+        // what drawing costs.
+        still_ = wanted == drawn_ && !render.colours && !session_.measuring;
+        if (!still_) {
+            stage.renderer.render(stage.simulation.view(), wanted.camera, render);
+            ++pictures_;
+        }
+        drawn_ = render.colours ? std::nullopt : std::optional(wanted);
         if (session_.pictureWanted()) session_.savePicture(stage.renderer.read());
         if (session_.recording() && !session_.clock.paused())
             session_.record(stage.renderer.read());
+        // Of a stage that was tried and failed, a program may be current that is gone with it.
+        glUseProgram(0);
         stage.renderer.show(session_.area.left,
                             window_.height() - session_.area.top - session_.area.height);
         if (session_.measuring) {
@@ -284,6 +301,7 @@ class Viewer {
               {{"position", {eye[0], eye[1], eye[2]}},
                {"target", {target[0], target[1], target[2]}},
                {"field_of_view", camera.fieldOfView}}},
+             {"pictures", pictures_},
              {"fps", m.framesPerSecond()},
              {"ms",
               {{"simulation", m.simulation.mean(30)},
@@ -308,6 +326,18 @@ class Viewer {
         return recording;
     }
 
+    /// What a picture depends on. The same again is not drawn again: a wall at rest leaves a laptop
+    /// cool.
+    struct Drawn {
+        int generation;
+        std::int64_t changes;
+        scene::CameraDescription camera;
+        std::array<int, 3> target;  ///< width, height, samples
+        render::DrawnMesh mesh;
+        render::DrawStyle style;
+        bool operator==(const Drawn&) const = default;
+    };
+
     window::Window& window_;
     Session session_;
     Interface interface_;
@@ -319,7 +349,9 @@ class Viewer {
     std::map<std::string, Interface::Rectangle> loggedWidgets_;
     std::set<std::string> saidErrors_;
     std::size_t losses_ = 0;  ///< kinds of them
-    std::int64_t frames_ = 0;
+    std::int64_t frames_ = 0, pictures_ = 0;
+    std::optional<Drawn> drawn_;  ///< where nothing but that decides what the picture is
+    bool still_ = false;          ///< the last frame showed what the one before had drawn
 };
 
 }  // namespace

@@ -234,6 +234,7 @@ void ViewerUnderTest::endsSoundly(int exitCode) {
     const int code = child_.wait(60);
     INFO(output());
     CHECK(code == exitCode);
+    for (const Json& e : events("gl_error")) UNSCOPED_INFO(e.dump());
     CHECK(events("gl_error").empty());
     const std::vector<Json> closed = events("closed");
     REQUIRE(closed.size() == 1);

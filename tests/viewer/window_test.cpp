@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <utility>
 
 #include "catch.hpp"
 #include "pictures.hpp"
@@ -43,6 +44,46 @@ TEST_CASE("Windows that change size, hide or fill the screen do no harm", "[view
     viewer.key("Tab");
     CHECK(viewer.status()["view"][0] == kPanel);
     viewer.quit();
+}
+
+TEST_CASE("What has not changed is not drawn again", "[viewer]") {
+    const Screen screen(900, 560);
+    for (const std::string solver : {"cpu", "gather"}) {
+        INFO(solver);
+        ViewerUnderTest viewer(screen, {"wood", "--size", "900x560", "--solver", solver});
+        const auto pictures = [&] { return viewer.freshStatus()["pictures"].get<int>(); };
+        const auto frame = [&] { return viewer.status()["frame"].get<int>(); };
+        viewer.pointAway();
+        // Time runs, and the wall falls asleep.
+        int drawn = pictures();
+        REQUIRE(eventually([&] { return drawn == std::exchange(drawn, pictures()); }));
+        const sunder::image::Image standing = viewer.keep("59-asleep-" + solver);
+        const int before = frame();
+        REQUIRE(eventually([&] { return frame() > before + 10; }));
+        CHECK(pictures() == drawn);
+
+        viewer.keyDown("Right");
+        viewer.keyUp("Right");
+        CHECK(pictures() > drawn);
+        CHECK(sceneDifference(standing, viewer.keep("59-turned-" + solver)) > 0.02);
+        drawn = pictures();
+        viewer.clickScene(0.5, 0.5);
+        viewer.pointAway();
+        CHECK(pictures() > drawn + 1);
+        REQUIRE(eventually([&] { return viewer.status()["bonds_broken"] > 0; }));
+        viewer.key("space");
+        REQUIRE(viewer.becomes("paused", true));
+        // Nor is it where time stands still, whatever is in the air.
+        drawn = pictures();
+        CHECK(pictures() == drawn);
+        // What is shown is what would be drawn: another mesh, and this one again.
+        const sunder::image::Image stopped = viewer.keep("59-stopped-" + solver);
+        viewer.key("m");
+        CHECK(pictures() > drawn);
+        viewer.key("m");
+        CHECK(sceneDifference(stopped, viewer.keep("59-drawn-again-" + solver)) == 0);
+        viewer.quit();
+    }
 }
 
 TEST_CASE("Keys that are held are let go with the focus", "[viewer]") {
