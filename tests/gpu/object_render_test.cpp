@@ -56,7 +56,7 @@ double gapBesideRay(const Object& object, const ObjectState& state,
 
 }  // namespace
 
-TEST_CASE("Objects cover the pixels whose rays meet them", "[render]") {
+TEST_CASE("Objects cover the pixels whose rays meet them", "[long][render]") {
     const World bare(wallDescription());
     const image::Image background = picture(bare, nowhere(bare), frontCamera());
     for (const ObjectDescription& description :

@@ -144,7 +144,8 @@ TEST_CASE("the ground holds and lets slide like a slope, too") {
         }
 }
 
-TEST_CASE("bonded neighbours never push: an intact wall moves to the bit as without contact") {
+TEST_CASE("bonded neighbours never push: an intact wall moves to the bit as without contact",
+          "[long]") {
     WorldDescription d = block({7, 5, 3}, softElastic());
     d.bodies[0].anchors = {Side::Bottom};
     EventDescription event = hit(0, {0, 0.4, 0}, {2, -4, -5});
@@ -169,7 +170,7 @@ TEST_CASE("bonded neighbours never push: an intact wall moves to the bit as with
     }
 }
 
-TEST_CASE("a fresh crack does not explode") {
+TEST_CASE("a fresh crack does not explode", "[long]") {
     for (const SolverUnderTest& under : touchingSolvers())
         for (const double youngModulus : {1e5, 1e6}) {
             INFO(under.name << ", E " << youngModulus);

@@ -289,7 +289,7 @@ TEST_CASE("every solver's incidents are the reference's") {
     CHECK(breaks > 10);
 }
 
-TEST_CASE("a heap that rests has no incidents") {
+TEST_CASE("a heap that rests has no incidents", "[long]") {
     WorldDescription d = breakable({3, 4, 2}, FractureMode::None);
     d.materials[0].restitution = 0.2;
     d.gravity = {0, -9.81, 0};

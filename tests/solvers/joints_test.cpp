@@ -8,7 +8,7 @@
 using namespace sunder;
 using namespace sunder::core;
 
-TEST_CASE("copies of a joined lattice point stay bit-identical for 10,000 steps") {
+TEST_CASE("copies of a joined lattice point stay bit-identical for 10,000 steps", "[long]") {
     for (const SolverUnderTest& under : solversUnderTest()) {
         INFO(under.name);
         Material second = brittle();

@@ -170,7 +170,8 @@ TEST_CASE("bodies that are in each other part, at no more than the parting speed
     }
 }
 
-TEST_CASE("bodies below the ground or outside the room come back at the parting speed at most") {
+TEST_CASE("bodies below the ground or outside the room come back at the parting speed at most",
+          "[long]") {
     WorldDescription d = emptyWorld();
     add(d, {4, 3, 2}, {0, -0.07, 0});
     add(d, {4, 3, 2}, {2, -0.6, 0});

@@ -78,7 +78,7 @@ TEST_CASE("a settled wall falls asleep, does not change by a bit, and a push wak
     }
 }
 
-TEST_CASE("turned bodies that stand, lie and lie on each other fall asleep") {
+TEST_CASE("turned bodies that stand, lie and lie on each other fall asleep", "[long]") {
     Material material = brittle();
     material.damping = 10;
     material.friction = 1;

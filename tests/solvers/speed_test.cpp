@@ -63,7 +63,8 @@ Hole holeOf(const World& world, const State& state, double radius) {
 
 }  // namespace
 
-TEST_CASE("a block in free flight at 1,000 m/s keeps its velocity and its shape to the bit") {
+TEST_CASE("a block in free flight at 1,000 m/s keeps its velocity and its shape to the bit",
+          "[long]") {
     Material green = softElastic();
     green.law = ConstitutiveLaw::Green;
     WorldDescription d = block({3, 2, 2}, softElastic());
@@ -92,7 +93,7 @@ TEST_CASE("a block in free flight at 1,000 m/s keeps its velocity and its shape 
     }
 }
 
-TEST_CASE("a spinning wall is not braked") {
+TEST_CASE("a spinning wall is not braked", "[long]") {
     for (const ConstitutiveLaw law : {ConstitutiveLaw::Corotated, ConstitutiveLaw::Green}) {
         Material material = softElastic();
         material.law = law;
@@ -151,7 +152,7 @@ TEST_CASE("a blow of 300 m/s keeps its momentum, and nothing explodes") {
         }
 }
 
-TEST_CASE("a ball breaks a pane of 4 mm and makes a hole, however fast") {
+TEST_CASE("a ball breaks a pane of 4 mm and makes a hole, however fast", "[long]") {
     for (const double speed : {30.0, 100.0, 300.0}) {
         const World world(panePelted(0.004, speed));
         for (const SolverUnderTest& under : touchingSolvers()) {

@@ -77,7 +77,7 @@ std::size_t unlike(const State& a, const State& b) {
 
 }  // namespace
 
-TEST_CASE("a turned wall without load does not change by a bit") {
+TEST_CASE("a turned wall without load does not change by a bit", "[long]") {
     WorldDescription d = block({7, 5, 3}, brittle());
     d.bodies[0].orientation = kAskew;
     const World world(d);
@@ -229,7 +229,7 @@ TEST_CASE("turned bodies touch like their twins in a turned world") {
     }
 }
 
-TEST_CASE("turned bodies in each other part like their twins in a turned world") {
+TEST_CASE("turned bodies in each other part like their twins in a turned world", "[long]") {
     WorldDescription d = block({4, 3, 3}, softElastic());
     d.contact = true;
     d.bodies[0].mayOverlap = true;

@@ -120,7 +120,7 @@ std::string compareWithStored(const StoredScene& stored, const SolverUnderTest& 
 
 }  // namespace
 
-TEST_CASE("states are the stored ones", "[states]") {
+TEST_CASE("states are the stored ones", "[states][stored]") {
     if (!fs::exists(driverFolder())) {
         for (const SolverUnderTest& under : storedSolvers())
             for (const StoredScene& scene : kScenes)
