@@ -299,10 +299,24 @@ void Objects::touchBarriers(int index) {
         }
 }
 
+bool Objects::outOfReach(int a, int b) const {
+    const Object &first = world_.objects()[a], &second = world_.objects()[b];
+    const ObjectState &stateA = states_[a], &stateB = states_[b];
+    const double distance = (stateB.position - stateA.position).norm();
+    const double reach = first.reach() + second.reach();
+    const double gap = 0.99 * distance - reach;  // less what rounding may add
+    double fastest = (stateB.velocity - stateA.velocity).norm();
+    if (gap <= world_.step() * fastest) return false;
+    // Where they would touch is between them, and no farther from a centre than this.
+    fastest += (stateA.spin(first).norm() + stateB.spin(second).norm()) * (distance + reach);
+    return gap > world_.step() * fastest;
+}
+
 void Objects::touchObjects(int a, int b) {
     const Object &first = world_.objects()[a], &second = world_.objects()[b];
     const ObjectState &stateA = states_[a], &stateB = states_[b];
     if (still(a) && still(b)) return;
+    if (outOfReach(a, b)) return;
     const RoundedBox boxA = boxOf(first, stateA), boxB = boxOf(second, stateB);
     const Vec3 closing = stateB.velocity - stateA.velocity;
     const auto between = [&](const Touch& touch) {
