@@ -97,7 +97,8 @@ int brokenAfter(const SolverUnderTest& under, const World& world, const State& s
 
 }  // namespace
 
-TEST_CASE("a beam that bears its weight does not break under it, at any number of substeps") {
+TEST_CASE("a beam that bears its weight does not break under it, at any number of substeps",
+          "[long]") {
     for (const int substeps : {10, 50, 400}) {
         const World world(beam(substeps));
         const cpu::Start start = cpu::settledStart(world);
