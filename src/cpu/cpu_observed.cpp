@@ -32,16 +32,15 @@ void CpuSolver::advanceObserved(int steps, bool contact) {
     PassObserver& observer = *runner.observer;
     const cpu::FlushDenormals flush;
     const auto forAwake = [&](const auto& work) {
-        for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
-            if (bodies_[body]->active() && !bodies_[body]->asleep()) work(*bodies_[body], body);
+        for (int body = 0; body < bodyCount(); ++body)
+            if (book_.active(body) && !bodies_[body]->asleep()) work(*bodies_[body], body);
     };
     const auto tell = [&](const char* pass) {
         forAwake([&](BodyRun& run, int) { tellForces(observer, pass, run.arrays()); });
     };
     const auto touches = [&](int body) { return contact && runner.touching[body]; };
     for (std::int64_t step = step_; step < step_ + steps; ++step) {
-        for (const auto& run : bodies_)
-            if (run->active()) run->startStep(step);
+        for (const int body : book_.activeBodies()) bodies_[body]->startStep(step);
         forAwake([](BodyRun& run, int) { run.elements(0, run.arrays().vectors); });
         tell("elements");
         if (contact && runner.contact->wantsFreeMotions())

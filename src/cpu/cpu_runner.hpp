@@ -9,13 +9,6 @@
 
 namespace sunder::cpu {
 
-struct CpuSolver::BodyRun : cpu::BodyRun {
-    using cpu::BodyRun::BodyRun;
-    bool held = true;     ///< by this solver, not by another
-    bool present = true;  ///< in the world
-    bool active() const { return held && present; }
-};
-
 /// The threads, and how bodies are shared out to them.
 struct CpuSolver::Runner {
     explicit Runner(const Threads& threads) : team(threads) {}
@@ -29,9 +22,8 @@ struct CpuSolver::Runner {
     std::optional<cpu::ObjectCells> objectCells;
     std::unique_ptr<core::IncidentWatch> watch;
     core::PassObserver* observer = nullptr;
-    std::vector<bool> touching;             ///< per body: something else may touch it
-    std::optional<core::RestIslands> rest;  ///< with contact
-    int restInterval = 0;                   ///< steps from one look for rest to the next
+    std::vector<bool> touching;  ///< per body: something else may touch it
+    int restInterval = 0;        ///< steps from one look for rest to the next
     /// Awake bodies that may touch something, in groups that have nothing to do with each other;
     /// with objects, the first are those near one and what hangs on them.
     std::vector<std::vector<int>> islands;

@@ -18,7 +18,7 @@ constexpr int kVectorsPerPart = 16;
 }  // namespace
 
 CpuSolver::CpuSolver(const World& world, const Threads& threads)
-    : world_(world), events_(world), runner_(std::make_unique<Runner>(threads)) {
+    : world_(world), events_(world), book_(world), runner_(std::make_unique<Runner>(threads)) {
     Runner& runner = *runner_;
     runner.laws = cpu::makeLaws(world);
     for (int body = 0; body < static_cast<int>(world.bodies().size()); ++body)
@@ -28,7 +28,6 @@ CpuSolver::CpuSolver(const World& world, const Threads& threads)
         std::vector<const cpu::BodyArrays*> arrays;
         for (const auto& run : bodies_) arrays.push_back(&run->arrays());
         runner.contact.emplace(world, arrays);
-        runner.rest.emplace(memberOfObject(world, static_cast<int>(world.objects().size())));
         // Searches come at multiples of kContactInterval.
         runner.restInterval =
             kContactInterval * std::max(1, stepsPerLook(world) / kContactInterval);
@@ -46,14 +45,12 @@ void CpuSolver::shareOut() {
     runner.split.clear();
     runner.whole.clear();
     int cells = 0;
-    for (const auto& run : bodies_) cells += run->active() ? run->cells() : 0;
+    for (const int body : book_.activeBodies()) cells += bodies_[body]->cells();
     // A body is split when one thread alone would still be at it after the others were done.
     const int fairShare = cells / (2 * runner.team.size());
     runner.largeCells = std::max(fairShare, 2 * kVectorsPerPart * cpu::kLanes);
-    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
-        const BodyRun& run = *bodies_[body];
-        if (!run.active()) continue;
-        const bool large = run.cells() > runner.largeCells;
+    for (const int body : book_.activeBodies()) {
+        const bool large = bodies_[body]->cells() > runner.largeCells;
         (runner.team.size() > 1 && large ? runner.split : runner.whole).push_back(body);
     }
     if (runner.contact) runner.contact->forget();
@@ -63,10 +60,8 @@ CpuSolver::~CpuSolver() = default;
 
 void CpuSolver::advance(int steps) {
     Runner& runner = *runner_;
-    const bool holdsAny =
-        std::any_of(bodies_.begin(), bodies_.end(), [](const auto& run) { return run->held; });
     runner.team.run([&] {
-        if (!runner.contact || !holdsAny) {
+        if (!runner.contact || !book_.holdsAny()) {
             advanceTo(step_ + steps, false);
             return;
         }
@@ -233,15 +228,15 @@ void CpuSolver::searchContacts() {
     Runner& runner = *runner_;
     cpu::Contact& contact = *runner.contact;
     std::vector<cpu::Contact::BodyStatus> status(bodies_.size());
-    std::vector<bool> held;
-    for (const auto& run : bodies_) held.push_back(run->active());
+    std::vector<bool> active;
+    for (int body = 0; body < bodyCount(); ++body) active.push_back(book_.active(body));
     for (bool again = true; again;) {
         again = false;
         bool awake = false;
-        for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
+        for (int body = 0; body < bodyCount(); ++body) {
             const BodyRun& run = *bodies_[body];
-            const bool moves = run.active() && !run.asleep();
-            status[body] = {run.active(), moves, run.relinks()};
+            const bool moves = active[body] && !run.asleep();
+            status[body] = {active[body], moves, run.relinks()};
             awake |= moves;
         }
         if (awake)
@@ -250,8 +245,8 @@ void CpuSolver::searchContacts() {
             });
         else
             contact.rest();
-        if (runner.objects) runner.objects->search(*runner.objectCells, held);
-        for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
+        if (runner.objects) runner.objects->search(*runner.objectCells, active);
+        for (int body = 0; body < bodyCount(); ++body) {
             const bool near = runner.objects && runner.objects->near(body);
             const bool hit = bodies_[body]->asleep() && runner.objects && runner.objects->hit(body);
             runner.touching[body] = contact.touching(body) || near;
@@ -260,7 +255,7 @@ void CpuSolver::searchContacts() {
             wake(memberOfBody(body));
             again = true;
         }
-        for (int object = 0; object < static_cast<int>(world_.objects().size()); ++object) {
+        for (int object = 0; object < objectCount(); ++object) {
             if (!runner.objects->disturbed(object)) continue;
             wake(memberOfObject(world_, object));
             again = true;
@@ -279,7 +274,7 @@ void CpuSolver::startThrows() {
 
 bool CpuSolver::wakePushed(std::int64_t until) {
     bool woke = false;
-    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
+    for (int body = 0; body < bodyCount(); ++body) {
         if (!bodies_[body]->asleep() || !bodies_[body]->pushedWithin(step_, until)) continue;
         wake(memberOfBody(body));
         woke = true;
@@ -287,37 +282,29 @@ bool CpuSolver::wakePushed(std::int64_t until) {
     return woke;
 }
 
-void CpuSolver::wake(int member) {
-    for (const int woken : runner_->rest->wake(member))
-        if (const int object = woken - memberOfObject(world_, 0); object >= 0)
-            runner_->objects->wake(object);
-        else
-            bodies_[woken]->wake();
+void CpuSolver::woke(const BodyBook::Members& members) {
+    for (const int body : members.bodies) bodies_[body]->wake();
+    for (const int object : members.objects) runner_->objects->wake(object);
+}
+
+const std::vector<ObjectState>& CpuSolver::objectStates() const {
+    static const std::vector<ObjectState> kNone;
+    return runner_->objects ? runner_->objects->states() : kNone;
 }
 
 void CpuSolver::rest() {
-    using Status = RestIslands::Status;
     Runner& runner = *runner_;
     if (runner.objects) runner.objects->look(runner.restInterval);
-    std::vector<Status> status;
-    for (const auto& run : bodies_)
-        status.push_back(!run->active()  ? Status::Apart
-                         : run->asleep() ? Status::Asleep
-                         : run->ready()  ? Status::Ready
-                                         : Status::Restless);
-    for (int object = 0; object < static_cast<int>(world_.objects().size()); ++object)
-        status.push_back(runner.objects->restStatus(object));
     const auto addBoxes = [&](std::vector<RestBox>& boxes) {
-        for (const auto& run : bodies_)
-            if (run->active()) run->addRestBoxes(boxes);
+        for (const int body : book_.activeBodies()) bodies_[body]->addRestBoxes(boxes);
     };
-    const std::vector<ObjectState> none;
-    for (const int member : settleTouching(*runner.rest, world_, status, addBoxes,
-                                           runner.objects ? runner.objects->states() : none))
-        if (const int object = member - memberOfObject(world_, 0); object >= 0)
-            runner.objects->fallAsleep(object);
-        else
-            bodies_[member]->fallAsleep();
+    std::vector<RestIslands::Status> ofObjects;
+    for (int object = 0; object < objectCount(); ++object)
+        ofObjects.push_back(runner.objects->restStatus(object));
+    const auto [bodies, objects] = book_.settle([this](int body) { return bodies_[body]->ready(); },
+                                                addBoxes, ofObjects, objectStates());
+    for (const int body : bodies) bodies_[body]->fallAsleep();
+    for (const int object : objects) runner.objects->fallAsleep(object);
 }
 
 void CpuSolver::findIslands() {
@@ -326,7 +313,7 @@ void CpuSolver::findIslands() {
     if (!runner.objects) return;
     const auto near = [&](int body) { return runner.objects->near(body); };
     std::vector<int> together;
-    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
+    for (int body = 0; body < bodyCount(); ++body)
         if (near(body) && !runner.contact->touching(body)) together.push_back(body);
     std::erase_if(runner.islands, [&](const std::vector<int>& island) {
         if (std::none_of(island.begin(), island.end(), near)) return false;
@@ -341,9 +328,8 @@ State CpuSolver::state() const {
     State state = world_.initialState();
     state.step = step_;
     state.pushes = events_.added(step_);
-    state.absent = absentBodies();
-    for (const auto& run : bodies_)
-        if (run->active()) run->store(state);
+    state.absent = book_.absent();
+    for (const int body : book_.activeBodies()) bodies_[body]->store(state);
     storeObjects(state);
     return state;
 }
@@ -359,55 +345,35 @@ void CpuSolver::putObject(int object, const ObjectState& state) {
 }
 
 void CpuSolver::setPresent(int body, bool present) {
-    BodyRun& run = *bodies_[body];
-    if (run.present == present) return;
-    const bool touches = runner_->rest && run.held;
+    if (book_.present(body) == present) return;
+    const bool touches = runner_->contact && book_.holds(body);
     if (touches && !present) wakeAround(body);
-    run.present = present;
-    run.load(world_.initialState());
+    book_.setPresent(body, present);
+    bodies_[body]->load(world_.initialState());
     if (touches && present) wakeAround(body);
     shareOut();
 }
 
-bool CpuSolver::present(int body) const {
-    return bodies_[body]->present;
-}
-
 void CpuSolver::wakeAround(int body) {
-    std::vector<RestBox> own, others;
+    std::vector<RestBox> own;
     bodies_[body]->addRestBoxes(own);
-    for (int other = 0; other < static_cast<int>(bodies_.size()); ++other)
-        if (other != body && asleep(other)) bodies_[other]->addRestBoxes(others);
-    for (int object = 0; object < static_cast<int>(world_.objects().size()); ++object)
-        if (objectAsleep(object))
-            others.push_back(restBoxOf(world_, object, runner_->objects->states()[object]));
-    wake(memberOfBody(body));
-    for (const int member : membersNear(own, others)) wake(member);
-}
-
-std::vector<int> CpuSolver::absentBodies() const {
-    std::vector<int> absent;
-    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
-        if (!bodies_[body]->present) absent.push_back(body);
-    return absent;
-}
-
-void CpuSolver::setAbsent(const std::vector<int>& absent) {
-    if (absent == absentBodies()) return;
-    for (const auto& run : bodies_) run->present = true;
-    for (const int body : absent) bodies_[body]->present = false;
-    shareOut();
+    const auto addBoxes = [&](std::vector<RestBox>& boxes) {
+        for (int other = 0; other < bodyCount(); ++other)
+            if (book_.asleep(other)) bodies_[other]->addRestBoxes(boxes);
+    };
+    woke(book_.wakeAround(body, own, addBoxes, objectStates()));
 }
 
 void CpuSolver::setState(const State& state) {
     step_ = state.step;
     events_.setAdded(state.pushes);
-    setAbsent(state.absent);
-    for (const auto& run : bodies_) run->setAddedPatches(state.pushes, step_);
-    for (const auto& run : bodies_)
-        if (run->held) run->load(state);
-    if (runner_->contact) runner_->contact->forget();
-    if (runner_->rest) runner_->rest->wakeAll();
+    book_.setAbsent(state.absent);
+    shareOut();
+    for (int body = 0; body < bodyCount(); ++body) {
+        bodies_[body]->setAddedPatches(state.pushes, step_);
+        if (holds(body)) bodies_[body]->load(state);
+    }
+    book_.wakeAll();
     if (runner_->objects) runner_->objects->set(state.objects);
     if (runner_->watch) runner_->watch->forget();
 }
@@ -416,9 +382,8 @@ void CpuSolver::archive(Archive& a) {
     a.section("step");
     const std::int64_t step = a.step(step_);
     events_.archive(a, step);
-    std::vector<int> absent = absentBodies();
-    archiveAbsent(a, world_, absent);
-    if (a.reads()) setAbsent(absent);
+    book_.archivePresence(a);
+    if (a.reads()) shareOut();
     Runner& runner = *runner_;
     a.section("looks");
     const bool watched = a.flag(runner.watch != nullptr);
@@ -428,35 +393,32 @@ void CpuSolver::archive(Archive& a) {
         step_ = step;
         for (const auto& run : bodies_) run->setAddedPatches(events_.added(step), step);
     }
-    if (runner.contact) archiveTouching(a, absent);
+    if (runner.contact) archiveTouching(a);
 }
 
-void CpuSolver::archiveTouching(Archive& a, const std::vector<int>& absent) {
+void CpuSolver::archiveTouching(Archive& a) {
     Runner& runner = *runner_;
-    std::vector<bool> held;
-    for (const auto& run : bodies_) held.push_back(run->held);
-    for (const int body : absent) held[body] = false;
-    runner.rest->archive(a, [&](int member) {
-        const int object = member - memberOfObject(world_, 0);
-        return object < 0 ? held[member] : world_.objects()[object].inverseMass > 0;
-    });
-    if (a.reads())
-        for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
-            BodyRun& run = *bodies_[body];
-            const bool asleep = runner.rest->asleep(memberOfBody(body));
-            if (asleep && !run.asleep()) run.fallAsleep();
-            if (!asleep && run.asleep()) run.wake();
-        }
+    book_.archiveSleepers(a);
+    std::vector<bool> active;
+    for (int body = 0; body < bodyCount(); ++body) {
+        active.push_back(book_.active(body));
+        BodyRun& run = *bodies_[body];
+        if (!a.reads() || run.asleep() == book_.asleep(body)) continue;
+        if (run.asleep())
+            run.wake();
+        else
+            run.fallAsleep();
+    }
     runner.team.run([&] {
-        runner.contact->archive(a, held, [&](int count, const std::function<void(int)>& work) {
+        runner.contact->archive(a, active, [&](int count, const std::function<void(int)>& work) {
             runner.team.forEach(count, work);
         });
     });
     if (runner.objects) runner.objects->archive(a);
     if (!a.reads()) return;
-    for (int object = 0; object < static_cast<int>(world_.objects().size()); ++object)
-        if (runner.rest->asleep(memberOfObject(world_, object))) runner.objects->fallAsleep(object);
-    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
+    for (int object = 0; object < objectCount(); ++object)
+        if (book_.objectAsleep(object)) runner.objects->fallAsleep(object);
+    for (int body = 0; body < bodyCount(); ++body) {
         runner.touching[body] =
             runner.contact->touching(body) || (runner.objects && runner.objects->near(body));
         bodies_[body]->setTouching(runner.touching[body]);
@@ -474,9 +436,9 @@ void CpuSolver::setIncidents(IncidentRing* ring) {
 
 void CpuSolver::adopt(const std::vector<int>& bodies, const State& state) {
     for (const int body : bodies) {
-        if (runner_->rest) wake(memberOfBody(body));
-        if (bodies_[body]->present) bodies_[body]->load(state);
-        bodies_[body]->held = true;
+        wake(memberOfBody(body));
+        if (present(body)) bodies_[body]->load(state);
+        book_.setHeld(body, true);
     }
     setObjects(state);
     shareOut();
@@ -484,9 +446,9 @@ void CpuSolver::adopt(const std::vector<int>& bodies, const State& state) {
 
 void CpuSolver::release(const std::vector<int>& bodies, State& state) {
     for (const int body : bodies) {
-        if (runner_->rest) wake(memberOfBody(body));
+        wake(memberOfBody(body));
         bodies_[body]->store(state);
-        bodies_[body]->held = false;
+        book_.setHeld(body, false);
     }
     storeObjects(state);
     shareOut();
@@ -500,10 +462,6 @@ void CpuSolver::setObjects(const State& state) {
         if (objects.states()[object] == state.objects[object]) continue;
         putObject(object, state.objects[object]);
     }
-}
-
-bool CpuSolver::holds(int body) const {
-    return bodies_[body]->held;
 }
 
 void CpuSolver::store(int body, State& state) const {
@@ -521,8 +479,8 @@ double CpuSolver::kineticEnergy() const {
     };
     constexpr int kVectors = 256;  // whatever the number of threads: sums are rounded
     std::vector<Part> parts;
-    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
-        const int vectors = bodies_[body]->active() ? bodies_[body]->arrays().vectors : 0;
+    for (const int body : book_.activeBodies()) {
+        const int vectors = bodies_[body]->arrays().vectors;
         for (int first = 0; first < vectors; first += kVectors)
             parts.push_back({body, first, std::min(first + kVectors, vectors)});
     }
@@ -541,7 +499,7 @@ double CpuSolver::kineticEnergy() const {
 }
 
 void CpuSolver::scaleVelocities(double factor) {
-    if (runner_->rest) runner_->rest->wakeAll();
+    book_.wakeAll();
     for (const auto& run : bodies_) run->scaleVelocities(static_cast<float>(factor));
     if (runner_->objects) runner_->objects->scaleVelocities(factor);
 }
@@ -550,7 +508,7 @@ int CpuSolver::threads() const {
     return runner_->team.size();
 }
 bool CpuSolver::asleep(int body) const {
-    return bodies_[body]->active() && bodies_[body]->asleep();
+    return book_.active(body) && bodies_[body]->asleep();
 }
 
 bool CpuSolver::objectAsleep(int object) const {

@@ -2,11 +2,14 @@
 #include <memory>
 #include <vector>
 
+#include "core/body_book.hpp"
 #include "core/body_host.hpp"
 #include "core/solver.hpp"
 #include "cpu/threads.hpp"
 
 namespace sunder::cpu {
+
+class BodyRun;
 
 /// What a game would ship: several cells at once on every core, single precision. Bodies are shared
 /// out to the cores whole where there are enough of them; a large one is split into stretches of
@@ -26,7 +29,7 @@ class CpuSolver : public core::Solver, public core::BodyHost {
     void push(const core::Event& event) override;
     void putObject(int object, const core::ObjectState& state) override;
     void setPresent(int body, bool present) override;
-    bool present(int body) const override;
+    bool present(int body) const override { return book_.present(body); }
     bool asleep(int body) const override;
     bool objectAsleep(int object) const override;
     void setIncidents(core::IncidentRing* ring) override;
@@ -34,7 +37,7 @@ class CpuSolver : public core::Solver, public core::BodyHost {
 
     void adopt(const std::vector<int>& bodies, const core::State& state) override;
     void release(const std::vector<int>& bodies, core::State& state) override;
-    bool holds(int body) const override;
+    bool holds(int body) const override { return book_.holds(body); }
     /// Puts a body that it holds into its part of `state`.
     void store(int body, core::State& state) const;
     void storeObjects(core::State& state) const;
@@ -50,7 +53,6 @@ class CpuSolver : public core::Solver, public core::BodyHost {
 
   private:
     struct Runner;
-    struct BodyRun;
     void shareOut();
     /// contact: with what the last search found.
     void advanceTo(std::int64_t end, bool contact);
@@ -66,15 +68,15 @@ class CpuSolver : public core::Solver, public core::BodyHost {
     /// Lets islands fall asleep all of which have been calm for long enough.
     void rest();
     /// Wakes a body or an object and what sleeps with it (core/rest_islands.hpp).
-    void wake(int member);
+    void wake(int member) { woke(book_.wake(member)); }
+    void woke(const core::BodyBook::Members& members);
+    /// None where the world has none.
+    const std::vector<core::ObjectState>& objectStates() const;
     /// What an event pushes before step number `until`; whether anything did wake.
     bool wakePushed(std::int64_t until);
     void startThrows();
-    void archiveTouching(core::Archive& archive, const std::vector<int>& absent);
-    /// Which bodies are not there, ascending.
-    std::vector<int> absentBodies() const;
-    void setAbsent(const std::vector<int>& absent);
-    /// Sleeping bodies and objects that a body touches.
+    void archiveTouching(core::Archive& archive);
+    /// Wakes a body that comes or goes, and what sleeps on it.
     void wakeAround(int body);
     void setObjects(const core::State& state);
     void findIslands();
@@ -82,10 +84,15 @@ class CpuSolver : public core::Solver, public core::BodyHost {
     /// Whether objects advance with this island: the first one.
     bool hasObjects(const std::vector<int>& island) const;
 
+    int bodyCount() const { return static_cast<int>(bodies_.size()); }
+    int objectCount() const { return static_cast<int>(world_.objects().size()); }
+
     const core::World& world_;
     core::EventSchedule events_;
     std::int64_t step_ = 0;
     std::vector<std::unique_ptr<BodyRun>> bodies_;
+    /// Without contact bodies fall asleep each by itself, and only they know.
+    core::BodyBook book_;
     std::unique_ptr<Runner> runner_;
 };
 

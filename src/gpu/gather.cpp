@@ -6,6 +6,7 @@
 
 #include "core/archive.hpp"
 #include "core/sleep.hpp"
+#include "gpu/body_ranges.hpp"
 #include "gpu/observed_pass.hpp"
 
 namespace sunder::gpu {
@@ -22,24 +23,6 @@ gl::Defines breakDefines(const World& world) {
 /// kStressLayers of glsl/gather/stress.glsl.
 int stressLayers(const World& world) {
     return 6 * world.bondsBreak() + world.cellsBreak();
-}
-
-TexelRange cellsOf(const World& world, int index) {
-    const Body& body = world.bodies()[index];
-    return {body.firstCell, body.firstCell + body.cellCount()};
-}
-
-/// Of several bodies; those that are neighbours in the numbering become one range.
-std::vector<TexelRange> rangesOf(const World& world, const std::vector<int>& bodies) {
-    std::vector<TexelRange> ranges;
-    for (const int body : bodies) {
-        const TexelRange own = cellsOf(world, body);
-        if (!ranges.empty() && ranges.back().end == own.first)
-            ranges.back().end = own.end;
-        else
-            ranges.push_back(own);
-    }
-    return ranges;
 }
 
 }  // namespace
@@ -64,11 +47,9 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
       stillNodePrograms_{
           nodes_[0].program(world, "gather/still.frag", {{"NODES", "1"}, {"FIRST", "0"}}),
           nodes_[0].program(world, "gather/still.frag", {{"NODES", "1"}, {"FIRST", "4"}})},
-      bodies_(world.bodies().size(), BodyState::Awake),
-      present_(world.bodies().size(), true),
+      book_(world),
       awake_(world.bodies().size(), "awake cells"),
-      monitor_(world, columns_, events_.schedule()),
-      islands_(memberOfObject(world, static_cast<int>(world.objects().size()))) {
+      monitor_(world, columns_, events_.schedule()) {
     if (breakable_) {
         const gl::Defines defines = breakDefines(world);
         stressProgram_ =
@@ -102,7 +83,7 @@ State GatherSolver::state() const {
     State state = world_.initialState();
     state.step = step_;
     state.pushes = events_.schedule().added(step_);
-    state.absent = absentBodies();
+    state.absent = book_.absent();
     read({0, world_.cellCount()}, state);
     if (objects_) objects_->read(state);
     return state;
@@ -127,12 +108,13 @@ void GatherSolver::setState(const State& state) {
         incidents_->finish();
         incidents_->forget();
     }
-    setAbsent(state.absent);
+    book_.setAbsent(state.absent);
+    presenceChanged();
     write({0, world_.cellCount()}, state);
     for (const int body : state.absent) writeBoth(cellsOf(world_, body), state);
-    islands_.wakeAll();
+    book_.wakeAll();
     showObjects(state);
-    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
+    for (int body = 0; body < bodyCount(); ++body)
         if (holds(body)) changed(body);
     bodiesChanged();
     bindInputs();
@@ -143,16 +125,10 @@ void GatherSolver::archive(Archive& a) {
     a.section("step");
     const std::int64_t step = a.step(step_);
     events_.schedule().archive(a, step);
-    std::vector<int> absent = absentBodies();
-    archiveAbsent(a, world_, absent);
-    if (a.reads()) setAbsent(absent);
+    book_.archivePresence(a);
+    if (a.reads()) presenceChanged();
     archiveCells(a);
-    islands_.archive(a, [&](int member) {
-        const int object = member - memberOfObject(world_, 0);
-        return object < 0
-                   ? holds(member) && !std::binary_search(absent.begin(), absent.end(), member)
-                   : world_.objects()[object].inverseMass > 0;
-    });
+    book_.archiveSleepers(a);
     monitor_.archive(a);
     archiveLooks(a);
     if (a.reads()) {
@@ -160,9 +136,7 @@ void GatherSolver::archive(Archive& a) {
         follow();
     }
     if (contact_) contact_->archive(a);
-    if (objects_)
-        objects_->archive(
-            a, [this](int object) { return islands_.asleep(memberOfObject(world_, object)); });
+    if (objects_) objects_->archive(a, [this](int object) { return book_.objectAsleep(object); });
     if (a.reads() && incidents_) {
         incidents_->finish();
         incidents_->forget();
@@ -219,7 +193,7 @@ void GatherSolver::archiveCells(Archive& a) {
                 damage = static_cast<float>(kNoBond);
         }
         first[i].w = a.flag(first[i].w > 0) ? 1.f : 0.f;
-        if (a.reads() && !present_[world_.bodyOf(static_cast<int>(i))]) first[i].w = SUNDER_GONE;
+        if (a.reads() && !present(world_.bodyOf(static_cast<int>(i)))) first[i].w = SUNDER_GONE;
         for (int k = 0; k < 4; ++k) second[i][k] = a.real(second[i][k]);
     }
     if (a.reads()) writeBoth(bonds_, 0);
@@ -231,7 +205,7 @@ void GatherSolver::archiveLooks(Archive& a) {
                stirred = a.flag(stirred_);
     const auto dropped = a.whole<std::int64_t>(droppedContacts_, 0, Archive::kLastStep);
     std::vector<double> haste = contactHaste_;
-    a.list(haste, bodies_.size(), [&](double& x) { x = a.real(x, 0.); });
+    a.list(haste, world_.bodies().size(), [&](double& x) { x = a.real(x, 0.); });
     if (!a.reads()) return;
     newNodeWatch_ = newNodeWatch;
     newBondWatch_ = newBondWatch;
@@ -241,14 +215,14 @@ void GatherSolver::archiveLooks(Archive& a) {
 }
 
 void GatherSolver::setPresent(int body, bool present) {
-    if (present_[body] == present) return;
-    if (active(body)) {
+    if (book_.present(body) == present) return;
+    if (book_.active(body)) {
         std::vector<RestBox> own;
         for (const RestMonitor::Chunk& chunk : monitor_.chunks())
             if (chunk.box.member == memberOfBody(body)) own.push_back(chunk.box);
         wakeAround(body, own);
     }
-    present_[body] = present;
+    book_.setPresent(body, present);
     monitor_.setPresent(body, present);
     const TexelRange cells = cellsOf(world_, body);
     writeBoth(cells, world_.initialState());
@@ -267,30 +241,20 @@ void GatherSolver::setPresent(int body, bool present) {
 }
 
 void GatherSolver::wakeAround(int body, const std::vector<RestBox>& own) {
-    std::vector<RestBox> others;
-    for (const RestMonitor::Chunk& chunk : monitor_.chunks())
-        if (chunk.box.member != memberOfBody(body) && asleep(chunk.box.member))
-            others.push_back(chunk.box);
-    for (int object = 0; object < objectCount(); ++object)
-        if (objectAsleep(object))
-            others.push_back(restBoxOf(world_, object, objects_->known()[object]));
-    wake(memberOfBody(body));
-    for (const int member : membersNear(own, others)) wake(member);
+    const auto addBoxes = [&](std::vector<RestBox>& boxes) {
+        for (const RestMonitor::Chunk& chunk : monitor_.chunks())
+            if (asleep(chunk.box.member)) boxes.push_back(chunk.box);
+    };
+    woke(book_.wakeAround(body, own, addBoxes, knownObjects()));
 }
 
-std::vector<int> GatherSolver::absentBodies() const {
-    std::vector<int> absent;
-    for (int body = 0; body < static_cast<int>(present_.size()); ++body)
-        if (!present_[body]) absent.push_back(body);
-    return absent;
+const std::vector<ObjectState>& GatherSolver::knownObjects() const {
+    static const std::vector<ObjectState> kNone;
+    return objects_ ? objects_->known() : kNone;
 }
 
-/// Of bodies that it holds, what follows must say what they are.
-void GatherSolver::setAbsent(const std::vector<int>& absent) {
-    present_.assign(present_.size(), true);
-    for (const int body : absent) present_[body] = false;
-    for (int body = 0; body < static_cast<int>(present_.size()); ++body)
-        monitor_.setPresent(body, present_[body]);
+void GatherSolver::presenceChanged() {
+    for (int body = 0; body < bodyCount(); ++body) monitor_.setPresent(body, present(body));
 }
 
 void GatherSolver::writeBoth(TexelRange cells, const State& state) {
@@ -302,11 +266,6 @@ void GatherSolver::writeBoth(TexelRange cells, const State& state) {
 }
 
 void GatherSolver::follow() {
-    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
-        if (holds(body))
-            bodies_[body] = !present_[body]                       ? BodyState::Absent
-                            : islands_.asleep(memberOfBody(body)) ? BodyState::Asleep
-                                                                  : BodyState::Awake;
     bodiesChanged();
     bindInputs();
     const TexelRange every{0, world_.cellCount()};
@@ -318,7 +277,7 @@ void GatherSolver::follow() {
 void GatherSolver::adopt(const std::vector<int>& bodies, const State& state) {
     std::vector<int> there;
     for (const int body : bodies)
-        if (present_[body]) there.push_back(body);
+        if (present(body)) there.push_back(body);
     const std::vector<TexelRange> cells = rangesOf(world_, there);
     for (const TexelRange& range : cells) write(range, state);
     if (objects_) {
@@ -332,6 +291,7 @@ void GatherSolver::adopt(const std::vector<int>& bodies, const State& state) {
     }
     for (const int body : bodies) {
         wake(memberOfBody(body));
+        book_.setHeld(body, true);
         changed(body);
     }
     bodiesChanged();
@@ -347,7 +307,7 @@ void GatherSolver::release(const std::vector<int>& bodies, State& state) {
     if (objects_) objects_->read(state);
     for (const int body : bodies) {
         wake(memberOfBody(body));
-        bodies_[body] = BodyState::Elsewhere;
+        book_.setHeld(body, false);
     }
     bodiesChanged();
 }
@@ -373,7 +333,7 @@ void GatherSolver::write(TexelRange cells, const State& state) {
         nodes_[currentNodes_].write(2 * corner + 1, cells.first, v);
     }
     for (std::size_t i = 0; i < damage.size(); ++i) {
-        const bool there = present_[world_.bodyOf(cells.first + static_cast<int>(i))];
+        const bool there = present(world_.bodyOf(cells.first + static_cast<int>(i)));
         damage[i].w = there ? 0.f : static_cast<float>(SUNDER_GONE);
         slow[i].w = static_cast<float>(state.slowStress[cells.first + static_cast<int>(i)]);
         for (int axis = 0; axis < kBondsPerCell; ++axis) {
@@ -514,7 +474,7 @@ void GatherSolver::addObjects() {
 }
 
 bool GatherSolver::moving() const {
-    return awake_.rectangles() > 0 || (objects_ && held_ && objects_->anyAwake());
+    return awake_.rectangles() > 0 || (objects_ && book_.holdsAny() && objects_->anyAwake());
 }
 
 /// Stresses live for one pass: in the node textures that this step is about to fill.
@@ -577,41 +537,25 @@ void GatherSolver::watch() {
 }
 
 void GatherSolver::rest() {
-    using Status = RestIslands::Status;
-    std::vector<Status> status;
-    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
-        status.push_back(!active(body)          ? Status::Apart
-                         : asleep(body)         ? Status::Asleep
-                         : monitor_.ready(body) ? Status::Ready
-                                                : Status::Restless);
-    for (int object = 0; object < objectCount(); ++object)
-        status.push_back(objects_->restStatus(object));
     const auto addBoxes = [&](std::vector<RestBox>& boxes) {
         for (const RestMonitor::Chunk& chunk : monitor_.chunks())
-            if (status[chunk.box.member] != Status::Apart) boxes.push_back(chunk.box);
+            if (book_.active(chunk.box.member)) boxes.push_back(chunk.box);
     };
-    std::vector<int> bodies, objects;
-    const std::vector<ObjectState> none;
-    for (const int member :
-         settleTouching(islands_, world_, status, addBoxes, objects_ ? objects_->known() : none))
-        if (const int object = member - memberOfObject(world_, 0); object >= 0)
-            objects.push_back(object);
-        else
-            bodies.push_back(member);
+    std::vector<RestIslands::Status> ofObjects;
+    for (int object = 0; object < objectCount(); ++object)
+        ofObjects.push_back(objects_->restStatus(object));
+    const auto [bodies, objects] = book_.settle([this](int body) { return monitor_.ready(body); },
+                                                addBoxes, ofObjects, knownObjects());
     if (!objects.empty()) objects_->setAsleep(objects, true, step_);
     if (!bodies.empty()) fallAsleep(bodies);
 }
 
-void GatherSolver::wake(int member) {
-    for (const int woken : islands_.wake(member))
-        if (const int object = woken - memberOfObject(world_, 0); object >= 0)
-            objects_->setAsleep({object}, false, step_);
-        else
-            changed(woken);
+void GatherSolver::woke(const BodyBook::Members& members) {
+    if (!members.objects.empty()) objects_->setAsleep(members.objects, false, step_);
+    for (const int body : members.bodies) changed(body);
 }
 
 void GatherSolver::changed(int body) {
-    bodies_[body] = present_[body] ? BodyState::Awake : BodyState::Absent;
     monitor_.disturb(body, step_);
 }
 
@@ -631,7 +575,6 @@ void GatherSolver::fallAsleep(const std::vector<int>& calm) {
         copy(stillNodePrograms_[part], otherNodes, nodes, part);
     }
     copy(stillBondProgram_, bonds_[currentBonds_], bonds_[1 - currentBonds_], 0);
-    for (const int body : calm) bodies_[body] = BodyState::Asleep;
     bodiesChanged();
 }
 
@@ -642,19 +585,19 @@ void GatherSolver::startThrows() {
 
 void GatherSolver::wakePushed() {
     const EventSchedule& events = events_.schedule();
-    std::vector<bool> pushed(bodies_.size());
+    std::vector<bool> pushed(world_.bodies().size());
     for (const int index : events.blasts()) {
         const Event& blast = events.all()[index];
         if (blast.nextStep(step_) > step_) continue;
         // Without contact nobody knows where they are.
-        if (!contact_) pushed.assign(bodies_.size(), true);
+        if (!contact_) pushed.assign(pushed.size(), true);
         for (const RestMonitor::Chunk& chunk : monitor_.chunks())
             if (const auto body = static_cast<std::size_t>(chunk.box.member);
-                body < bodies_.size() && blast.reaches(chunk.box.low, chunk.box.high))
+                body < pushed.size() && blast.reaches(chunk.box.low, chunk.box.high))
                 pushed[body] = true;
     }
     bool any = false;
-    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
+    for (int body = 0; body < bodyCount(); ++body) {
         if (!asleep(body) || !(pushed[body] || events.pushedWithin(body, step_, step_ + 1)))
             continue;
         wake(memberOfBody(body));
@@ -667,7 +610,7 @@ void GatherSolver::wakePushed() {
 void GatherSolver::findNextWake(std::int64_t from) {
     nextWake_ = std::numeric_limits<std::int64_t>::max();
     const EventSchedule& events = events_.schedule();
-    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body)
+    for (int body = 0; body < bodyCount(); ++body)
         if (asleep(body))
             nextWake_ = std::min({nextWake_, events.nextPush(body, from), events.nextBlast(from)});
 }
@@ -675,7 +618,7 @@ void GatherSolver::findNextWake(std::int64_t from) {
 /// What sleeps where something that moves may come before the next look.
 void GatherSolver::wakeThreatened() {
     bool any = false;
-    for (int body = 0; body < static_cast<int>(bodies_.size()); ++body) {
+    for (int body = 0; body < bodyCount(); ++body) {
         if (!asleep(body) || !objects_->threatens(body)) continue;
         wake(memberOfBody(body));
         any = true;
@@ -684,7 +627,7 @@ void GatherSolver::wakeThreatened() {
         if (!objects_->asleep(object)) continue;
         bool threatened = objects_->threatensObject(object);
         for (const RestMonitor::Chunk& chunk : monitor_.chunks())
-            threatened |= bodies_[chunk.box.member] == BodyState::Awake &&
+            threatened |= book_.awake(chunk.box.member) &&
                           objects_->threatenedBy(object, chunk.box, chunk.fastest);
         if (!threatened) continue;
         wake(memberOfObject(world_, object));
@@ -694,16 +637,11 @@ void GatherSolver::wakeThreatened() {
 }
 
 void GatherSolver::bodiesChanged() {
-    std::vector<int> awake, held;
-    held_ = false;
-    for (int index = 0; index < static_cast<int>(bodies_.size()); ++index) {
-        if (bodies_[index] == BodyState::Awake) awake.push_back(index);
-        if (active(index)) held.push_back(index);
-        held_ = held_ || holds(index);
-    }
-    awake_.set(rangesOf(world_, awake), columns_);
-    if (contact_) contact_->setCells(rangesOf(world_, awake), rangesOf(world_, held));
-    if (objects_) objects_->setCells(rangesOf(world_, held));
+    const std::vector<TexelRange> awake = rangesOf(world_, book_.awakeBodies()),
+                                  active = rangesOf(world_, book_.activeBodies());
+    awake_.set(awake, columns_);
+    if (contact_) contact_->setCells(awake, active);
+    if (objects_) objects_->setCells(active);
     findNextWake(step_);
 }
 

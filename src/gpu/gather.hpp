@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <optional>
 
+#include "core/body_book.hpp"
 #include "core/body_host.hpp"
 #include "gpu/contact_pass.hpp"
 #include "gpu/event_buffer.hpp"
@@ -40,9 +41,9 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     void push(const core::Event& event) override;
     void putObject(int object, const core::ObjectState& state) override;
     void setPresent(int body, bool present) override;
-    bool present(int body) const override { return present_[body]; }
-    bool asleep(int body) const override { return bodies_[body] == BodyState::Asleep; }
-    bool objectAsleep(int object) const override { return objects_ && objects_->asleep(object); }
+    bool present(int body) const override { return book_.present(body); }
+    bool asleep(int body) const override { return book_.asleep(body); }
+    bool objectAsleep(int object) const override { return book_.objectAsleep(object); }
     StateView view() override;
     void setIncidents(core::IncidentRing* ring) override;
 
@@ -51,14 +52,12 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
 
     void adopt(const std::vector<int>& bodies, const core::State& state) override;
     void release(const std::vector<int>& bodies, core::State& state) override;
-    bool holds(int body) const override { return bodies_[body] != BodyState::Elsewhere; }
+    bool holds(int body) const override { return book_.holds(body); }
     /// Where a body that another solver holds is to be drawn.
     void show(int body, const core::State& state);
     void showObjects(const core::State& state);
 
   private:
-    /// Elsewhere: another solver has it. Absent: this one does, but it is not in the world.
-    enum class BodyState { Awake, Asleep, Elsewhere, Absent };
     /// A texture buffer that layers are copied to, one after the other, for drawing.
     struct Copy {
         gl::Buffer buffer;
@@ -79,14 +78,9 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     void read(TexelRange cells, core::State& state) const;
     void archiveCells(core::Archive& archive);
     void archiveLooks(core::Archive& archive);
-    /// Held, and in the world.
-    bool active(int body) const {
-        return bodies_[body] == BodyState::Awake || bodies_[body] == BodyState::Asleep;
-    }
-    /// Which bodies are not there, ascending.
-    std::vector<int> absentBodies() const;
-    void setAbsent(const std::vector<int>& absent);
-    /// Sleeping bodies and objects that meet these boxes of a body's.
+    /// The book has other bodies that are not there.
+    void presenceChanged();
+    /// Wakes a body that comes or goes, and what sleeps where these boxes of it are.
     void wakeAround(int body, const std::vector<core::RestBox>& own);
     /// Both halves of the ping-pong: what no pass touches is to be the same in both.
     void writeBoth(TexelRange cells, const core::State& state);
@@ -101,9 +95,13 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     void findNextWake(std::int64_t from);
     void wakeThreatened();
     /// Wakes a body or an object and what sleeps with it (core/rest_islands.hpp).
-    void wake(int member);
+    void wake(int member) { woke(book_.wake(member)); }
+    void woke(const core::BodyBook::Members& members);
+    /// As known, of which rest is decided.
+    const std::vector<core::ObjectState>& knownObjects() const;
     /// A body's state is another one.
     void changed(int body);
+    int bodyCount() const { return static_cast<int>(world_.bodies().size()); }
     int objectCount() const { return static_cast<int>(world_.objects().size()); }
     void bodiesChanged();
     void addContacts();
@@ -135,18 +133,15 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     std::array<gl::Program, kNodeParts> stillNodePrograms_;
     GLint bondWatchUniform_ = -1;
 
-    std::vector<BodyState> bodies_;
-    std::vector<bool> present_;  ///< bodies that are in the world, whoever has them
+    core::BodyBook book_;
     TexelRanges awake_;
     std::optional<ContactPass> contact_;
     std::optional<ObjectPass> objects_;
-    bool held_ = true;  ///< any body
     std::int64_t droppedContacts_ = 0;
     std::vector<double> contactHaste_;
     std::optional<IncidentPass> incidents_;
     bool stirred_ = false;  ///< something has moved since the last look for incidents
     RestMonitor monitor_;
-    core::RestIslands islands_;
     bool newNodeWatch_ = true, newBondWatch_ = true;  ///< no step, no update since the last look
     std::int64_t nextWake_ = 0;  ///< no event acts on a sleeping body before this step
 };

@@ -7,6 +7,7 @@
 
 #include "core/archive.hpp"
 #include "core/tetrahedra.hpp"
+#include "gpu/body_ranges.hpp"
 #include "gpu/layout.hpp"
 #include "gpu/observed_pass.hpp"
 #include "gpu/texel_target.hpp"
@@ -39,7 +40,7 @@ std::int64_t texelCount(const World& world) {
 ScatterSolver::ScatterSolver(const World& world, const WorldBuffers& buffers)
     : world_(world),
       buffers_(buffers),
-      present_(world.bodies().size(), true),
+      book_(world),
       width_(texelColumns(texelCount(world))),
       height_(texelRows(texelCount(world), width_, "forces and stresses")),
       breakable_(world.breakable()),
@@ -111,7 +112,7 @@ void ScatterSolver::writeInverseMasses() {
     std::vector<vec4> texels(static_cast<std::size_t>(width_) * height_, vec4(0));
     for (int node = 0; node < world_.nodeCount(); ++node)
         if (!world_.anchored(node) && world_.nodeMass(node) > 0 &&
-            present_[world_.bodyOf(node / kCorners)])
+            present(world_.bodyOf(node / kCorners)))
             texels[node].w = static_cast<float>(1 / world_.nodeMass(node));
     gl::bindForWork(GL_TEXTURE_2D, forceTexture_);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, GL_RGBA, GL_FLOAT, texels.data());
@@ -149,7 +150,7 @@ State ScatterSolver::state() const {
     State state;
     state.step = step_;
     state.pushes = events_.schedule().added(step_);
-    state.absent = absentBodies();
+    state.absent = book_.absent();
     nodes_[currentNodes_].nodes.read(state);
     bonds_.bonds().read(state);
     if (objects_) objects_->read(state);
@@ -172,7 +173,7 @@ void ScatterSolver::setState(const State& state) {
 }
 
 void ScatterSolver::setPresent(int body, bool present) {
-    if (present_[body] == present) return;
+    if (book_.present(body) == present) return;
     State now = state();
     world_.setPresent(now, body, present);
     setAbsent(now.absent);
@@ -182,29 +183,11 @@ void ScatterSolver::setPresent(int body, bool present) {
     if (incidents_) incidents_->known().copy(bonds_.bonds().buffer());
 }
 
-std::vector<int> ScatterSolver::absentBodies() const {
-    std::vector<int> absent;
-    for (int body = 0; body < static_cast<int>(present_.size()); ++body)
-        if (!present_[body]) absent.push_back(body);
-    return absent;
-}
-
 void ScatterSolver::setAbsent(const std::vector<int>& absent) {
-    std::vector<bool> now(present_.size(), true);
-    for (const int body : absent) now[body] = false;
-    if (now == present_) return;
-    present_ = std::move(now);
+    if (absent == book_.absent()) return;
+    book_.setAbsent(absent);
     writeInverseMasses();
-    std::vector<TexelRange> there;
-    for (std::size_t index = 0; index < present_.size(); ++index) {
-        const Body& body = world_.bodies()[index];
-        const int end = body.firstCell + body.cellCount();
-        if (!present_[index]) continue;
-        if (!there.empty() && there.back().end == body.firstCell)
-            there.back().end = end;
-        else
-            there.push_back({body.firstCell, end});
-    }
+    const std::vector<TexelRange> there = rangesOf(world_, book_.activeBodies());
     if (contact_) contact_->setCells(there, there);
     if (objects_) objects_->setCells(there);
 }

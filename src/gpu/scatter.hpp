@@ -2,6 +2,7 @@
 #include <array>
 #include <optional>
 
+#include "core/body_book.hpp"
 #include "gpu/bond_pass.hpp"
 #include "gpu/contact_pass.hpp"
 #include "gpu/event_buffer.hpp"
@@ -34,7 +35,7 @@ class ScatterSolver : public GpuSolver {
     void putObject(int object, const core::ObjectState& state) override;
     /// Waits for the GPU: the state goes through the CPU.
     void setPresent(int body, bool present) override;
-    bool present(int body) const override { return present_[body]; }
+    bool present(int body) const override { return book_.present(body); }
     StateView view() override;
     void setIncidents(core::IncidentRing* ring) override;
     /// In the searches that finish() came upon.
@@ -51,8 +52,6 @@ class ScatterSolver : public GpuSolver {
     void makeElementBuffer();
     void makeTargets();
     void makePrograms();
-    /// Which bodies are not there, ascending.
-    std::vector<int> absentBodies() const;
     /// They touch nothing, and their nodes are as if they were anchored.
     void setAbsent(const std::vector<int>& absent);
     void writeInverseMasses();
@@ -67,8 +66,8 @@ class ScatterSolver : public GpuSolver {
     const core::World& world_;
     const WorldBuffers& buffers_;
     std::int64_t step_ = 0;
-    std::vector<bool> present_;  ///< bodies that are in the world
-    int width_, height_;         ///< columns and rows of the float textures
+    core::BodyBook book_;  ///< all of them are held, and none sleeps
+    int width_, height_;   ///< columns and rows of the float textures
 
     bool breakable_;
     Feedback feedback_;

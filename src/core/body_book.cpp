@@ -1,0 +1,103 @@
+#include "core/body_book.hpp"
+
+#include <algorithm>
+
+#include "core/archive.hpp"
+
+namespace sunder::core {
+
+BodyBook::BodyBook(const World& world)
+    : world_(world),
+      present_(world.bodies().size(), true),
+      held_(world.bodies().size(), true),
+      sleepers_(memberOfObject(world, static_cast<int>(world.objects().size()))) {}
+
+bool BodyBook::holdsAny() const {
+    return std::find(held_.begin(), held_.end(), true) != held_.end();
+}
+
+template <class Choice>
+std::vector<int> BodyBook::chosen(const Choice& choice) const {
+    std::vector<int> bodies;
+    for (int body = 0; body < static_cast<int>(present_.size()); ++body)
+        if (choice(body)) bodies.push_back(body);
+    return bodies;
+}
+
+std::vector<int> BodyBook::absent() const {
+    return chosen([this](int body) { return !present(body); });
+}
+
+std::vector<int> BodyBook::activeBodies() const {
+    return chosen([this](int body) { return active(body); });
+}
+
+std::vector<int> BodyBook::awakeBodies() const {
+    return chosen([this](int body) { return awake(body); });
+}
+
+void BodyBook::setAbsent(const std::vector<int>& absent) {
+    present_.assign(present_.size(), true);
+    for (const int body : absent) present_[body] = false;
+}
+
+BodyBook::Members BodyBook::split(const std::vector<int>& members) const {
+    Members split;
+    for (const int member : members)
+        if (const int object = member - memberOfObject(world_, 0); object >= 0)
+            split.objects.push_back(object);
+        else
+            split.bodies.push_back(member);
+    return split;
+}
+
+BodyBook::Members BodyBook::wake(int member) {
+    return split(sleepers_.wake(member));
+}
+
+BodyBook::Members BodyBook::wakeAround(int body, const std::vector<RestBox>& own,
+                                       const AddBoxes& addBoxes,
+                                       const std::vector<ObjectState>& objects) {
+    std::vector<RestBox> others;
+    addBoxes(others);
+    std::erase_if(others, [&](const RestBox& box) { return box.member == memberOfBody(body); });
+    for (int object = 0; object < static_cast<int>(objects.size()); ++object)
+        if (objectAsleep(object)) others.push_back(restBoxOf(world_, object, objects[object]));
+    std::vector<int> woken = sleepers_.wake(memberOfBody(body));
+    for (const int member : membersNear(own, others)) {
+        const std::vector<int> more = sleepers_.wake(member);
+        woken.insert(woken.end(), more.begin(), more.end());
+    }
+    std::sort(woken.begin(), woken.end());
+    return split(woken);
+}
+
+BodyBook::Members BodyBook::settle(const std::function<bool(int body)>& ready,
+                                   const AddBoxes& addBoxes,
+                                   const std::vector<RestIslands::Status>& ofObjects,
+                                   const std::vector<ObjectState>& objects) {
+    using Status = RestIslands::Status;
+    std::vector<Status> status;
+    for (int body = 0; body < static_cast<int>(present_.size()); ++body)
+        status.push_back(!active(body)  ? Status::Apart
+                         : asleep(body) ? Status::Asleep
+                         : ready(body)  ? Status::Ready
+                                        : Status::Restless);
+    status.insert(status.end(), ofObjects.begin(), ofObjects.end());
+    return split(settleTouching(sleepers_, world_, status, addBoxes, objects));
+}
+
+void BodyBook::archivePresence(Archive& archive) {
+    std::vector<int> now = absent();
+    archiveAbsent(archive, world_, now);
+    if (archive.reads()) setAbsent(now);
+}
+
+void BodyBook::archiveSleepers(Archive& archive) {
+    sleepers_.archive(archive, [this](int member) {
+        const int object = member - memberOfObject(world_, 0);
+        return object < 0 ? active(member) : world_.objects()[object].inverseMass > 0;
+    });
+}
+
+}  // namespace sunder::core
