@@ -10,30 +10,46 @@ layout(location = 1) in uvec3 owner;  // cell, code, owner of the bond through t
 uniform usamplerBuffer cells;
 uniform samplerBuffer bodies;
 uniform samplerBuffer damage;  // of the bonds that each cell owns
-uniform int damageStride;      // texels from one cell's to the next
 uniform samplerBuffer displacements;
-uniform ivec2 displacementStrides;  // texels from one cell's to the next, from one corner's to the next
 uniform samplerBuffer rest;
+// Texels from one cell's damage to the next; of displacements from one cell's to the next, from one corner's to the next.
+#ifdef HOST_VERTEX
+const int damageStride = DAMAGE_STRIDE;
+const ivec2 displacementStrides = ivec2(CELL_STRIDE, CORNER_STRIDE);
+#else
+uniform int damageStride;
+uniform ivec2 displacementStrides;
 uniform mat4 viewProjection;
+#endif
 
+// Of a host's shader that calls this as a function (draw/host_vertex.glsl), nothing goes on to another stage.
+#ifdef HOST_VERTEX
+#define PASSED
+#define PASSED_FLAT
+#else
+#define PASSED out
+#define PASSED_FLAT flat out
+#endif
 #ifndef DEPTH_ONLY
-flat out int paintedCell;  // for draw/paint.glsl
-out vec3 position;       // m, world
-out vec3 normal;         // of a body's outside, smooth, any length; zero on torn faces, which are flat
-out vec3 place;               // m, at rest, from the body's origin along its own axes
-flat out uint surfaceLaw;
-flat out float seed;          // 0 to 1, per body
-flat out float insideFace;    // 1 on a face that a broken bond has bared
-flat out float boundaryFace;  // 1 on one between two clusters
+PASSED_FLAT int paintedCell;     // for draw/paint.glsl
+PASSED vec3 position;            // m, world
+PASSED vec3 normal;              // of a body's outside, smooth, any length; zero on torn faces, which are flat
+PASSED vec3 place;               // m, at rest, from the body's origin along its own axes
+PASSED_FLAT uint surfaceLaw;
+PASSED_FLAT float seed;          // 0 to 1, per body
+PASSED_FLAT float insideFace;    // 1 on a face that a broken bond has bared
+PASSED_FLAT float boundaryFace;  // 1 on one between two clusters
 #endif
 #ifdef SURFACE
 // For a host's own shaders: `normal` has length 1, on torn faces too, where it is the cell's; and the way in which the first
 // coordinate of textures grows, across the face at rest (src/sim_gl/deformed_mesh.cpp). w: sign of the bitangent.
-out vec4 tangent;
+PASSED vec4 tangent;
 #endif
 
+#ifndef HOST_VERTEX
 // Depths must be the same to the bit in every pass that draws glass.
 invariant gl_Position;
+#endif
 
 struct Lattice {
     ivec3 strides;  // from a cell to its neighbours
@@ -173,10 +189,14 @@ vec3 outsideNormal(int face, uint planes, uint own, uint group, int low, Lattice
 }
 #endif
 
+#ifdef HOST_VERTEX
+void displayedVertex() {
+#else
 void main() {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside every view
+#endif
     int self = int(owner.x);
     uint code = owner.y;
-    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside every view
 #ifndef DEPTH_ONLY
     paintedCell = self;
     position = normal = place = vec3(0.0);
@@ -230,7 +250,9 @@ void main() {
 
     vec3 u = alongAxes(lattice, p - texelFetch(rest, 8 * bound).xyz) / lattice.cellSize;
     vec3 moved = p + displacementAt(bound, u);
+#ifndef HOST_VERTEX
     gl_Position = viewProjection * vec4(moved, 1.0);
+#endif
 #ifndef DEPTH_ONLY
     position = moved;
     if ((code & SUNDER_DISPLAY_FACE_INNER) == 0u)

@@ -91,6 +91,7 @@ void DeformedMesh::makeArrays() {
     gpu::floatAttribute(0, 3, sizeof(Bound), offsetof(Bound, rest));
     glEnableVertexAttribArray(1);
     glVertexAttribIPointer(1, 3, GL_UNSIGNED_INT, sizeof(Bound), at(offsetof(Bound, cell)));
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
 
     drawnArray_ = gl::makeVertexArray();
     glBindVertexArray(drawnArray_.id());

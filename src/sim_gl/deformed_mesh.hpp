@@ -49,6 +49,8 @@ class DeformedMesh {
     int vertices() const { return vertices_; }
     const std::vector<Range>& ranges() const { return ranges_; }  ///< opaque ones first
     GLuint vertexArray() const { return drawnArray_.id(); }
+    /// What the shader reads, with the same indices.
+    GLuint boundArray() const { return boundArray_.id(); }
     GLuint vertexBuffer() const { return deformed_.id(); }
     GLuint restBuffer() const { return rest_.id(); }
     GLuint indexBuffer() const { return indices_.id(); }

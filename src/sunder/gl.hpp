@@ -5,6 +5,7 @@
 #include <sunder/export.h>
 #include <sunder/sunder.hpp>
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -126,6 +127,12 @@ struct Range {
     const void* offset = nullptr;  ///< Bytes, for glDrawElements.
 };
 
+/// A texture that the text of Surface::vertexShader() reads.
+struct VertexTexture {
+    const char* sampler;  ///< The name of its uniform.
+    unsigned texture;     ///< Of the target GL_TEXTURE_BUFFER.
+};
+
 /// The mesh that is seen of a world, on the GPU: closed pieces whose torn faces fit together. What
 /// is between cells that hold together is there, too, as triangles without area.
 class SUNDER_API Surface {
@@ -160,6 +167,20 @@ class SUNDER_API Surface {
     int vertices() const;
     /// What to draw, by material; opaque ones first.
     std::span<const Range> ranges() const;
+
+    // --- Instead of update(): in a vertex shader of the host's own ---
+
+    /// GLSL 4.10, to stand between the line `#version` and the host's own text. It has two inputs,
+    /// at locations 0 and 1, five samplers, and `SunderVertex sunderVertex()`, whose result has
+    /// what Vertex and RestVertex have: position, normal, tangent, place, texCoord, body, cell,
+    /// inside. All its global names begin with sunder, Sunder or SUNDER. It stays the same for this
+    /// surface.
+    Result<std::string> vertexShader();
+    /// What those samplers read, of the world as it is now: to be asked for and bound before each
+    /// drawing. Reads nothing back and waits for nothing, where the world is simulated on the GPU.
+    Result<std::array<VertexTexture, 5>> vertexTextures();
+    /// A vertex array with those inputs and the indices; ranges() are the same. 0: not ok().
+    unsigned sourceArray() const;
 
   private:
     struct Impl;

@@ -1,6 +1,9 @@
+#include <algorithm>
+
 #include "gpu/feedback.hpp"
 #include "sim_gl/deformed_mesh.hpp"
 #include "sim_gl/drawn_state.hpp"
+#include "sim_gl/host_vertex.hpp"
 #include "sunder/gl_device.hpp"
 #include "sunder/guard.hpp"
 #include "sunder/world_impl.hpp"
@@ -15,6 +18,7 @@ struct Surface::Impl {
     Error error;
     /// Of a world that is not on this GPU.
     std::optional<gpu::WorldBuffers> buffers;
+    const gpu::WorldBuffers* worldBuffers = nullptr;  ///< those, or the world's own
     std::optional<sim_gl::DrawnState> state;
     std::optional<sim_gl::DeformedMesh> mesh;  ///< none where it could not be made
     std::vector<Range> ranges;
@@ -28,6 +32,7 @@ Surface::Surface(Device& device, World& world) : impl_(std::make_unique<Impl>())
         World::Impl& inside = world.impl();
         const gpu::WorldBuffers* buffers = inside.layout->buffers();
         if (!buffers) buffers = &impl_->buffers.emplace(inside.world());
+        impl_->worldBuffers = buffers;
         impl_->state.emplace(*inside.simulation);
         impl_->mesh.emplace(inside.world(), *buffers);
         for (const sim_gl::DeformedMesh::Range& range : impl_->mesh->ranges())
@@ -67,6 +72,36 @@ Result<void> Surface::update() {
         impl_->device->check();
         return {};
     });
+}
+
+Result<std::string> Surface::vertexShader() {
+    if (!ok()) return error();
+    return guarded([&]() -> Result<std::string> {
+        const auto stay = impl_->device->enter();
+        std::string text =
+            sim_gl::hostVertexShader(impl_->state->view(), impl_->worldBuffers->turned());
+        impl_->device->check();
+        return text;
+    });
+}
+
+Result<std::array<VertexTexture, 5>> Surface::vertexTextures() {
+    if (!ok()) return error();
+    return guarded([&]() -> Result<std::array<VertexTexture, 5>> {
+        const auto stay = impl_->device->enter();
+        std::array<VertexTexture, 5> textures{};
+        const auto found = sim_gl::hostTextures(*impl_->worldBuffers, impl_->state->view());
+        std::transform(found.begin(), found.end(), textures.begin(),
+                       [](const sim_gl::HostTexture& of) {
+                           return VertexTexture{of.sampler, of.texture};
+                       });
+        impl_->device->check();
+        return textures;
+    });
+}
+
+unsigned Surface::sourceArray() const {
+    return ok() ? impl_->mesh->boundArray() : 0;
 }
 
 unsigned Surface::vertexArray() const {

@@ -1,12 +1,16 @@
 // The public interface in a host's own GL context: sunder/gl.hpp.
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <regex>
+#include <sstream>
 #include <utility>
 
 #include "catch.hpp"
 #include "gl/functions.hpp"
+#include "gl/program.hpp"
 #include "gpu/hostile_host.hpp"
 #include "gpu/state_dump.hpp"
 #include "sunder/gl_device.hpp"
@@ -175,6 +179,129 @@ TEST_CASE("library: a surface is where the mesh that is seen is") {
     }
     CHECK(hidden > 100);
     CHECK(bared > 10);
+}
+
+TEST_CASE("library: a host's own vertex shader moves vertices as update() does, in every solver") {
+    Host host;
+    gl::Device device(host.options());
+    for (const std::string solver : {"gather", "scatter", "auto", "cpu"}) {
+        INFO(solver);
+        World world = made(wallAndBall(), {.device = &device, .solver = solver});
+        gl::Surface surface(device, world);
+        std::string text;
+        host.unnoticed("shader", [&] { text = *surface.vertexShader(); });
+        for (int i = 0; i < 4; ++i) REQUIRE(world.step(kFrame));
+        REQUIRE(*world.brokenBonds() > 0);
+        REQUIRE(surface.update());
+        const std::vector<gl::Vertex> expected = verticesOf(surface);
+        std::vector<gl::RestVertex> rest(expected.size());
+        glBindBuffer(GL_COPY_READ_BUFFER, surface.restBuffer());
+        glGetBufferSubData(GL_COPY_READ_BUFFER, 0,
+                           static_cast<GLsizeiptr>(rest.size() * sizeof rest[0]), rest.data());
+
+        const gl::Program program(
+            {.vertex = "host.vert",
+             .feedback = {"position", "normal", "tangent", "place", "texCoord", "ofCell", "inside"},
+             .source = [&](std::string_view) {
+                 return text + R"(
+out vec3 position, normal, place;
+out vec4 tangent;
+out vec2 texCoord;
+flat out ivec2 ofCell;
+flat out int inside;
+void main() {
+    SunderVertex vertex = sunderVertex();
+    position = vertex.position;
+    normal = vertex.normal;
+    tangent = vertex.tangent;
+    place = vertex.place;
+    texCoord = vertex.texCoord;
+    ofCell = ivec2(vertex.body, vertex.cell);
+    inside = vertex.inside ? 1 : 0;
+})";
+             }});
+        struct Captured {
+            gl::Vertex vertex;
+            float place[3], texCoord[2];
+            std::int32_t body, cell, inside;
+        };
+        std::vector<Captured> captured(expected.size());
+        const std::size_t bytes = captured.size() * sizeof captured[0];
+        const gl::Buffer buffer(bytes, nullptr, GL_STREAM_READ, "captured");
+        std::array<gl::VertexTexture, 5> textures{};
+        host.unnoticed("textures", [&] { textures = *surface.vertexTextures(); });
+        program.use();
+        for (int unit = 0; unit < 5; ++unit) {
+            glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+            glBindTexture(GL_TEXTURE_BUFFER, textures[static_cast<std::size_t>(unit)].texture);
+            const GLint sampler = program.uniform(textures[static_cast<std::size_t>(unit)].sampler);
+            REQUIRE(sampler >= 0);
+            glUniform1i(sampler, unit);
+        }
+        // Nothing is drawn, but without a screen a draw needs a framebuffer.
+        const gl::Texture colour = gl::makeTexture2D(1, 1, GL_RGBA8, "nothing");
+        const gl::Framebuffer framebuffer = gl::makeFramebuffer();
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour.id(), 0);
+        glBindVertexArray(surface.sourceArray());
+        glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer.id());
+        glEnable(GL_RASTERIZER_DISCARD);
+        glBeginTransformFeedback(GL_POINTS);
+        glDrawArrays(GL_POINTS, 0, surface.vertices());
+        glEndTransformFeedback();
+        glDisable(GL_RASTERIZER_DISCARD);
+        glUseProgram(0);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        CHECK(host.context->takeErrors() == std::vector<std::string>{});
+        buffer.read(0, bytes, captured.data());
+
+        int shown = 0;
+        for (std::size_t i = 0; i < captured.size(); ++i) {
+            const Captured& vertex = captured[i];
+            // A compiler may round otherwise where the same text is a function: places up to 2 m.
+            for (int axis = 0; axis < 3; ++axis) {
+                CHECK(std::abs(vertex.vertex.position[axis] - expected[i].position[axis]) < 1e-6);
+                CHECK(std::abs(vertex.vertex.normal[axis] - expected[i].normal[axis]) < 1e-4);
+                CHECK(std::abs(vertex.vertex.tangent[axis] - expected[i].tangent[axis]) < 1e-4);
+            }
+            CHECK(vertex.vertex.tangent[3] == expected[i].tangent[3]);
+            CHECK((vertex.body == rest[i].body && vertex.cell == rest[i].cell &&
+                   vertex.inside == rest[i].inside));
+            const core::Vec3 place = vec(vertex.place);
+            if (place.isZero()) continue;
+            ++shown;
+            CHECK((place - vec(rest[i].place)).norm() < 1e-6);
+            for (int axis = 0; axis < 2; ++axis)
+                CHECK(std::abs(vertex.texCoord[axis] - rest[i].texCoord[axis]) < 1e-6);
+        }
+        CHECK(shown > 100);
+    }
+}
+
+TEST_CASE("library: the text for a host's vertex shader takes no name that may be the host's") {
+    Host host;
+    gl::Device device(host.options());
+    World world = made(wallAndBall(), {.device = &device, .settle = false});
+    gl::Surface surface(device, world);
+    const std::string text = *surface.vertexShader();
+    // What is declared begins a line: a macro, a structure, a variable or a function.
+    const std::regex declared(
+        R"(^(?:#define|struct|(?:(?:layout\(.*\)|in|out|flat|uniform|const|sunder_PASSED|sunder_PASSED_FLAT) +)*[A-Za-z_]\w*) +([A-Za-z_]\w*))");
+    std::istringstream lines(text);
+    int names = 0;
+    for (std::string line; std::getline(lines, line);) {
+        std::smatch match;
+        if (line.empty() || line[0] == '}' || !std::regex_search(line, match, declared)) continue;
+        const std::string name = match[1];
+        if (name.starts_with("gl_")) continue;
+        INFO(line);
+        CHECK((name.starts_with("sunder") || name.starts_with("Sunder") ||
+               name.starts_with("SUNDER_")));
+        ++names;
+    }
+    CHECK(names > 50);
+    CHECK(text.find("#version") == std::string::npos);
+    CHECK(text.find("#include") == std::string::npos);
 }
 
 TEST_CASE("library: a surface's ranges are all of it, by material, with normals outwards") {
