@@ -74,7 +74,7 @@ BodyBook::Members BodyBook::wakeAround(int body, const std::vector<RestBox>& own
 
 BodyBook::Members BodyBook::settle(const std::function<bool(int body)>& ready,
                                    const AddBoxes& addBoxes,
-                                   const std::vector<RestIslands::Status>& ofObjects,
+                                   const std::function<RestIslands::Status(int object)>& ofObject,
                                    const std::vector<ObjectState>& objects) {
     using Status = RestIslands::Status;
     std::vector<Status> status;
@@ -83,7 +83,8 @@ BodyBook::Members BodyBook::settle(const std::function<bool(int body)>& ready,
                          : asleep(body) ? Status::Asleep
                          : ready(body)  ? Status::Ready
                                         : Status::Restless);
-    status.insert(status.end(), ofObjects.begin(), ofObjects.end());
+    for (int object = 0; object < static_cast<int>(objects.size()); ++object)
+        status.push_back(ofObject(object));
     return split(settleTouching(sleepers_, world_, status, addBoxes, objects));
 }
 

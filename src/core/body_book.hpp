@@ -50,10 +50,10 @@ class BodyBook {
     Members wakeAround(int body, const std::vector<RestBox>& own, const AddBoxes& addBoxes,
                        const std::vector<ObjectState>& objects);
     /// Lets islands fall asleep all of which have been calm for long enough: those that now sleep.
-    /// ready: whether a body has been. addBoxes: adds those of active bodies. ofObjects: what each
-    /// object is to others' rest, none where the world has no objects; objects: as they are.
+    /// ready: whether a body has been. addBoxes: adds those of active bodies. ofObject: what an
+    /// object is to others' rest; objects: as they are.
     Members settle(const std::function<bool(int body)>& ready, const AddBoxes& addBoxes,
-                   const std::vector<RestIslands::Status>& ofObjects,
+                   const std::function<RestIslands::Status(int object)>& ofObject,
                    const std::vector<ObjectState>& objects);
 
     /// Which bodies are there. Nobody sleeps by then, or archiveSleepers() follows.

@@ -44,12 +44,13 @@ void CpuSolver::shareOut() {
     Runner& runner = *runner_;
     runner.split.clear();
     runner.whole.clear();
+    const std::vector<int> active = book_.activeBodies();
     int cells = 0;
-    for (const int body : book_.activeBodies()) cells += bodies_[body]->cells();
+    for (const int body : active) cells += bodies_[body]->cells();
     // A body is split when one thread alone would still be at it after the others were done.
     const int fairShare = cells / (2 * runner.team.size());
     runner.largeCells = std::max(fairShare, 2 * kVectorsPerPart * cpu::kLanes);
-    for (const int body : book_.activeBodies()) {
+    for (const int body : active) {
         const bool large = bodies_[body]->cells() > runner.largeCells;
         (runner.team.size() > 1 && large ? runner.split : runner.whole).push_back(body);
     }
@@ -298,11 +299,9 @@ void CpuSolver::rest() {
     const auto addBoxes = [&](std::vector<RestBox>& boxes) {
         for (const int body : book_.activeBodies()) bodies_[body]->addRestBoxes(boxes);
     };
-    std::vector<RestIslands::Status> ofObjects;
-    for (int object = 0; object < objectCount(); ++object)
-        ofObjects.push_back(runner.objects->restStatus(object));
-    const auto [bodies, objects] = book_.settle([this](int body) { return bodies_[body]->ready(); },
-                                                addBoxes, ofObjects, objectStates());
+    const auto [bodies, objects] = book_.settle(
+        [this](int body) { return bodies_[body]->ready(); }, addBoxes,
+        [&](int object) { return runner.objects->restStatus(object); }, objectStates());
     for (const int body : bodies) bodies_[body]->fallAsleep();
     for (const int object : objects) runner.objects->fallAsleep(object);
 }

@@ -70,7 +70,7 @@ class CpuSolver : public core::Solver, public core::BodyHost {
     /// Wakes a body or an object and what sleeps with it (core/rest_islands.hpp).
     void wake(int member) { woke(book_.wake(member)); }
     void woke(const core::BodyBook::Members& members);
-    /// None where the world has none.
+    /// As they are; empty where the world has no objects.
     const std::vector<core::ObjectState>& objectStates() const;
     /// What an event pushes before step number `until`; whether anything did wake.
     bool wakePushed(std::int64_t until);

@@ -103,7 +103,11 @@ void deleteVertexArray(GLuint id) {
     if (Driver::current()) glDeleteVertexArrays(1, &id);
 }
 void deleteProgram(GLuint id) {
-    if (Driver::current()) glDeleteProgram(id);
+    if (!Driver::current()) return;
+    // Where other objects are unbound, a program would stay in use, and who puts it back would
+    // fail.
+    if (boundName(GL_CURRENT_PROGRAM) == id) glUseProgram(0);
+    glDeleteProgram(id);
 }
 void deleteTransformFeedback(GLuint id) {
     if (Driver::current()) glDeleteTransformFeedbacks(1, &id);

@@ -541,11 +541,9 @@ void GatherSolver::rest() {
         for (const RestMonitor::Chunk& chunk : monitor_.chunks())
             if (book_.active(chunk.box.member)) boxes.push_back(chunk.box);
     };
-    std::vector<RestIslands::Status> ofObjects;
-    for (int object = 0; object < objectCount(); ++object)
-        ofObjects.push_back(objects_->restStatus(object));
-    const auto [bodies, objects] = book_.settle([this](int body) { return monitor_.ready(body); },
-                                                addBoxes, ofObjects, knownObjects());
+    const auto [bodies, objects] =
+        book_.settle([this](int body) { return monitor_.ready(body); }, addBoxes,
+                     [this](int object) { return objects_->restStatus(object); }, knownObjects());
     if (!objects.empty()) objects_->setAsleep(objects, true, step_);
     if (!bodies.empty()) fallAsleep(bodies);
 }

@@ -97,7 +97,7 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     /// Wakes a body or an object and what sleeps with it (core/rest_islands.hpp).
     void wake(int member) { woke(book_.wake(member)); }
     void woke(const core::BodyBook::Members& members);
-    /// As known, of which rest is decided.
+    /// As of the last look; empty where the world has no objects.
     const std::vector<core::ObjectState>& knownObjects() const;
     /// A body's state is another one.
     void changed(int body);

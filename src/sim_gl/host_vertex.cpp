@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <set>
+#include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -15,59 +16,19 @@ namespace {
 
 /// Global names and macros of draw/display.vert and of what it includes, but for those that begin
 /// with SUNDER_ already. A test finds what is missing here.
-const std::set<std::string_view> kNames{"BodyRecord",
-                                        "BondRecord",
-                                        "CELL_STRIDE",
-                                        "CORNER_STRIDE",
-                                        "DAMAGE_STRIDE",
-                                        "DEPTH_ONLY",
-                                        "ElementLaw",
-                                        "EventRecord",
-                                        "HOST_VERTEX",
-                                        "Lattice",
-                                        "LinkRecord",
-                                        "NodeRecord",
-                                        "ObjectMotion",
-                                        "ObjectRecord",
-                                        "PASSED",
-                                        "PASSED_FLAT",
-                                        "PartingRecord",
-                                        "SURFACE",
-                                        "SurfaceLook",
-                                        "TURNED",
-                                        "alongAxes",
-                                        "bodies",
-                                        "boundaryFace",
-                                        "cells",
-                                        "damage",
-                                        "damageStride",
-                                        "displacementAt",
-                                        "displacementOf",
-                                        "displacementStrides",
-                                        "displacements",
-                                        "displayedVertex",
-                                        "groupAround",
-                                        "hidden",
-                                        "inWorld",
-                                        "insideFace",
-                                        "latticeOf",
-                                        "linkMask",
-                                        "linkMaskOf",
-                                        "main",
-                                        "normal",
-                                        "outsideNormal",
-                                        "owner",
-                                        "paintedCell",
-                                        "patchAxes",
-                                        "patchNormal",
-                                        "place",
-                                        "position",
-                                        "rest",
-                                        "seed",
-                                        "start",
-                                        "surfaceLaw",
-                                        "tangent",
-                                        "viewProjection"};
+// clang-format off
+constexpr std::string_view kNames[] = {
+    "BodyRecord", "BondRecord", "CELL_STRIDE", "CORNER_STRIDE", "DAMAGE_STRIDE", "DEPTH_ONLY",
+    "ElementLaw", "EventRecord", "HOST_VERTEX", "Lattice", "LinkRecord", "NodeRecord",
+    "ObjectMotion", "ObjectRecord", "PASSED", "PASSED_FLAT", "PartingRecord", "SURFACE",
+    "SurfaceLook", "TURNED", "alongAxes", "bodies", "boundaryFace", "cells", "damage",
+    "damageStride", "displacementAt", "displacementOf", "displacementStrides", "displacements",
+    "displayedVertex", "groupAround", "hidden", "inWorld", "insideFace", "latticeOf", "linkMask",
+    "linkMaskOf", "main", "normal", "outsideNormal", "owner", "paintedCell", "patchAxes",
+    "patchNormal", "place", "position", "rest", "seed", "start", "surfaceLaw", "tangent",
+    "viewProjection"};
+// clang-format on
+static_assert(std::is_sorted(std::begin(kNames), std::end(kNames)));
 
 /// With sunder_ before each of those, unless it is a member's or in a comment.
 std::string renamed(std::string_view text) {
@@ -85,7 +46,8 @@ std::string renamed(std::string_view text) {
         }
         while (end < text.size() && isWord(text[end])) ++end;
         const std::string_view word = text.substr(i, end - i);
-        if (kNames.count(word) != 0 && (i == 0 || text[i - 1] != '.')) result += "sunder_";
+        const bool isName = std::binary_search(std::begin(kNames), std::end(kNames), word);
+        if (isName && (i == 0 || text[i - 1] != '.')) result += "sunder_";
         result += word;
         if (end < text.size()) result += text[end];
         i = end + 1;

@@ -233,8 +233,6 @@ class Viewer {
         if (session_.pictureWanted()) session_.savePicture(stage.renderer.read());
         if (session_.recording() && !session_.clock.paused())
             session_.record(stage.renderer.read());
-        // Of a stage that was tried and failed, a program may be current that is gone with it.
-        glUseProgram(0);
         stage.renderer.show(session_.area.left,
                             window_.height() - session_.area.top - session_.area.height);
         if (session_.measuring) {

@@ -72,13 +72,21 @@ World made(const WorldDesc& desc, const WorldOptions& options) {
     return std::move(*world);
 }
 
-std::vector<gl::Vertex> verticesOf(const gl::Surface& surface) {
-    std::vector<gl::Vertex> vertices(static_cast<std::size_t>(surface.vertices()));
-    glBindBuffer(GL_COPY_READ_BUFFER, surface.vertexBuffer());
-    glGetBufferSubData(GL_COPY_READ_BUFFER, 0,
-                       static_cast<GLsizeiptr>(vertices.size() * sizeof(gl::Vertex)),
-                       vertices.data());
+/// All that a buffer of the host's context holds.
+template <class T>
+std::vector<T> contentOf(GLuint buffer) {
+    GLint bytes = 0;
+    glBindBuffer(GL_COPY_READ_BUFFER, buffer);
+    glGetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &bytes);
+    std::vector<T> content(static_cast<std::size_t>(bytes) / sizeof(T));
+    glGetBufferSubData(GL_COPY_READ_BUFFER, 0, bytes, content.data());
     glBindBuffer(GL_COPY_READ_BUFFER, 0);
+    return content;
+}
+
+std::vector<gl::Vertex> verticesOf(const gl::Surface& surface) {
+    std::vector<gl::Vertex> vertices = contentOf<gl::Vertex>(surface.vertexBuffer());
+    REQUIRE(vertices.size() == static_cast<std::size_t>(surface.vertices()));
     return vertices;
 }
 
@@ -194,10 +202,8 @@ TEST_CASE("library: a host's own vertex shader moves vertices as update() does, 
         REQUIRE(*world.brokenBonds() > 0);
         REQUIRE(surface.update());
         const std::vector<gl::Vertex> expected = verticesOf(surface);
-        std::vector<gl::RestVertex> rest(expected.size());
-        glBindBuffer(GL_COPY_READ_BUFFER, surface.restBuffer());
-        glGetBufferSubData(GL_COPY_READ_BUFFER, 0,
-                           static_cast<GLsizeiptr>(rest.size() * sizeof rest[0]), rest.data());
+        const auto rest = contentOf<gl::RestVertex>(surface.restBuffer());
+        REQUIRE(rest.size() == expected.size());
 
         const gl::Program program(
             {.vertex = "host.vert",
@@ -226,8 +232,8 @@ void main() {
             std::int32_t body, cell, inside;
         };
         std::vector<Captured> captured(expected.size());
-        const std::size_t bytes = captured.size() * sizeof captured[0];
-        const gl::Buffer buffer(bytes, nullptr, GL_STREAM_READ, "captured");
+        const gl::Buffer buffer(captured.size() * sizeof captured[0], nullptr, GL_STREAM_READ,
+                                "captured");
         std::array<gl::VertexTexture, 5> textures{};
         host.unnoticed("textures", [&] { textures = *surface.vertexTextures(); });
         program.use();
@@ -253,7 +259,7 @@ void main() {
         glUseProgram(0);
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         CHECK(host.context->takeErrors() == std::vector<std::string>{});
-        buffer.read(0, bytes, captured.data());
+        captured = contentOf<Captured>(buffer.id());
 
         int shown = 0;
         for (std::size_t i = 0; i < captured.size(); ++i) {
@@ -311,16 +317,9 @@ TEST_CASE("library: a surface's ranges are all of it, by material, with normals 
     gl::Surface surface(device, world);
     REQUIRE(surface.update());
     const std::vector<gl::Vertex> vertices = verticesOf(surface);
-    std::vector<gl::RestVertex> rest(vertices.size());
-    glBindBuffer(GL_COPY_READ_BUFFER, surface.restBuffer());
-    glGetBufferSubData(GL_COPY_READ_BUFFER, 0,
-                       static_cast<GLsizeiptr>(rest.size() * sizeof rest[0]), rest.data());
-    GLint bytes = 0;
-    glBindBuffer(GL_COPY_READ_BUFFER, surface.indexBuffer());
-    glGetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &bytes);
-    std::vector<std::uint32_t> indices(static_cast<std::size_t>(bytes) / sizeof(std::uint32_t));
-    glGetBufferSubData(GL_COPY_READ_BUFFER, 0, bytes, indices.data());
-    glBindBuffer(GL_COPY_READ_BUFFER, 0);
+    const auto rest = contentOf<gl::RestVertex>(surface.restBuffer());
+    REQUIRE(rest.size() == vertices.size());
+    const auto indices = contentOf<std::uint32_t>(surface.indexBuffer());
 
     std::size_t next = 0;
     int outside = 0;

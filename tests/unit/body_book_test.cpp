@@ -49,8 +49,9 @@ TEST_CASE("Body book: what is absent or elsewhere is not active, and never sleep
     CHECK(book.activeBodies() == Bodies{2});
     CHECK((book.holds(0) && !book.active(0) && book.present(1) && !book.active(1)));
     const auto active = boxesOf(world, [&](int body) { return book.active(body); });
-    const auto fell = book.settle([](int) { return true; }, active, {Status::Restless},
-                                  world.initialState().objects);
+    const auto fell =
+        book.settle([](int) { return true; }, active, [](int) { return Status::Restless; },
+                    world.initialState().objects);
     CHECK(fell.bodies == Bodies{2});
     CHECK((!book.asleep(0) && !book.asleep(1) && book.asleep(2)));
     CHECK(book.awakeBodies().empty());
@@ -68,7 +69,8 @@ TEST_CASE("Body book: what touches sleeps and wakes together, and around what co
     BodyBook book(world);
     const auto every = boxesOf(world, [](int) { return true; });
     const auto settle = [&](const std::function<bool(int)>& ready) {
-        return book.settle(ready, every, {Status::Ready}, objects);
+        return book.settle(
+            ready, every, [](int) { return Status::Ready; }, objects);
     };
     // Where one of an island is restless, the others wait for it.
     const auto first = settle([](int body) { return body != 1; });
