@@ -3,11 +3,14 @@
 #include "physics/lattice.glsl"
 #include "physics/links.glsl"
 
+uniform samplerBuffer released;  // x: 1 where a body's anchors have let go
+
 vec3 damageOf(int cell);  // of the bonds through its +x, +y, +z faces
 
 LinkRecord joints(int cell) {
     uvec4 record = cellRecord(cell);
     if (lawOf(record) == SUNDER_ABSENT) return LinkRecord(vec4(0.0), vec4(0.0), vec4(0.0));
+    bool letGo = texelFetch(released, bodyOf(record)).x > 0.0;
     ivec3 strides = cellStrides(ivec4(bodyRecord(bodyOf(record)).lattice));
 
     // Of the 27 cells around this one: bits 0, 1, 2 for the bonds they own through their +x, +y, +z faces and that hold; mass of a
@@ -25,7 +28,7 @@ LinkRecord joints(int cell) {
         int other = inside ? cell + steps.x + steps.y + steps.z : cell;
         uvec4 otherRecord = cellRecord(other);
         masses[i] = cornerMass(otherRecord);
-        anchors[i] = otherRecord.x >> uint(SUNDER_CELL_ANCHORS_BIT);
+        anchors[i] = letGo ? 0u : otherRecord.x >> uint(SUNDER_CELL_ANCHORS_BIT);
         vec3 damage = damageOf(other);
         held[i] = inside ? uint(damage.x < 1.0) | uint(damage.y < 1.0) << 1u | uint(damage.z < 1.0) << 2u : 0u;
     }

@@ -80,10 +80,45 @@ std::optional<int> BalancedSolver::bodiesOnGpu() const {
 
 State BalancedSolver::state() const {
     State state = gather_.state();
+    addCpu(state);
+    return state;
+}
+
+void BalancedSolver::addCpu(State& state) const {
     for (int body = 0; body < static_cast<int>(world_.bodies().size()); ++body)
         if (!onGpu(body) && present(body)) cpu_.store(body, state);
     if (!onGpu(0)) cpu_.storeObjects(state);
-    return state;
+}
+
+/// What the CPU has is at hand at once; only where the GPU has anything, it is copied, too.
+class BalancedSolver::LateState : public StateCopy {
+  public:
+    explicit LateState(const BalancedSolver& solver)
+        : solver_(solver), gpu_(solver.gather_.makeStateCopy()) {}
+    void start() override {
+        now_ = solver_.world_.initialState();
+        solver_.addCpu(now_);
+        onCpu_.clear();
+        for (int body = 0; body < static_cast<int>(solver_.world_.bodies().size()); ++body)
+            if (!solver_.onGpu(body)) onCpu_.push_back(body);
+        gpu_->start();
+    }
+    State take() override {
+        State state = gpu_->take();
+        for (const int body : onCpu_) solver_.world_.copyBody(now_, body, state);
+        if (!onCpu_.empty() && onCpu_.front() == 0) state.objects = now_.objects;
+        return state;
+    }
+
+  private:
+    const BalancedSolver& solver_;
+    std::unique_ptr<StateCopy> gpu_;
+    State now_;  ///< where the CPU has it
+    std::vector<int> onCpu_;
+};
+
+std::unique_ptr<StateCopy> BalancedSolver::makeStateCopy() const {
+    return std::make_unique<LateState>(*this);
 }
 
 void BalancedSolver::setState(const State& state) {
@@ -98,7 +133,7 @@ void BalancedSolver::archive(Archive& a) {
     now.step = a.step(now.step);
     a.section("pushes");
     a.list(now.pushes, kMaxPushes, [&](Event& event) { core::archive(a, world_, event); });
-    archiveAbsent(a, world_, now.absent);
+    archiveBodies(a, world_, now.absent, now.released);
     archiveCells<float>(a, world_, now);
     a.section("objects");
     for (ObjectState& object : now.objects) core::archive(a, object);

@@ -23,6 +23,7 @@ class BalancedSolver : public gpu::GpuSolver {
     void advance(int steps) override;
     void finish() override { gather_.finish(); }
     core::State state() const override;
+    std::unique_ptr<core::StateCopy> makeStateCopy() const override;
     void setState(const core::State& state) override;
     /// The state alone, as setState() takes it: who has what and how fast is this machine's own.
     void archive(core::Archive& archive) override;
@@ -42,6 +43,11 @@ class BalancedSolver : public gpu::GpuSolver {
         cpu_.setPresent(body, present);
     }
     bool present(int body) const override { return cpu_.present(body); }
+    void releaseAnchors(int body) override {
+        gather_.releaseAnchors(body);
+        cpu_.releaseAnchors(body);
+    }
+    bool released(int body) const override { return cpu_.released(body); }
     bool asleep(int body) const override;
     bool objectAsleep(int object) const override;
     /// Of the bodies on the GPU; `cpu` has room for all.
@@ -62,6 +68,9 @@ class BalancedSolver : public gpu::GpuSolver {
     bool settled() const override { return balancer_.settled(); }
 
   private:
+    class LateState;
+    /// What the CPU has, into a state of the GPU.
+    void addCpu(core::State& state) const;
     void moveBodies();
     bool wantedOnGpu(int body) const;
 

@@ -61,12 +61,15 @@ void archiveCells(Archive& a, const World& world, State& state) {
 template void archiveCells<float>(Archive&, const World&, State&);
 template void archiveCells<double>(Archive&, const World&, State&);
 
-void archiveAbsent(Archive& a, const World& world, std::vector<int>& absent) {
+void archiveBodies(Archive& a, const World& world, std::vector<int>& absent,
+                   std::vector<int>& released) {
     a.section("bodies");
-    std::vector<int> got;
-    for (int body = 0; body < static_cast<int>(world.bodies().size()); ++body)
-        if (a.flag(std::binary_search(absent.begin(), absent.end(), body))) got.push_back(body);
-    absent = std::move(got);
+    for (std::vector<int>* list : {&absent, &released}) {
+        std::vector<int> got;
+        for (int body = 0; body < static_cast<int>(world.bodies().size()); ++body)
+            if (a.flag(std::binary_search(list->begin(), list->end(), body))) got.push_back(body);
+        *list = std::move(got);
+    }
 }
 
 bool isBond(const World& world, int bond) {

@@ -129,8 +129,8 @@ class Archive {
 /// no bond is left as it is.
 template <std::floating_point Number>
 void archiveCells(Archive&, const World&, State&);
-/// Which bodies are not there, ascending.
-void archiveAbsent(Archive&, const World&, std::vector<int>& absent);
+/// Which bodies are not there and whose anchors have let go, each ascending.
+void archiveBodies(Archive&, const World&, std::vector<int>& absent, std::vector<int>& released);
 /// Whether there are cells on both sides.
 bool isBond(const World&, int bond);
 /// The number of a bond.

@@ -10,6 +10,7 @@ BodyBook::BodyBook(const World& world)
     : world_(world),
       present_(world.bodies().size(), true),
       held_(world.bodies().size(), true),
+      released_(world.bodies().size(), false),
       sleepers_(memberOfObject(world, static_cast<int>(world.objects().size()))) {}
 
 bool BodyBook::holdsAny() const {
@@ -28,6 +29,10 @@ std::vector<int> BodyBook::absent() const {
     return chosen([this](int body) { return !present(body); });
 }
 
+std::vector<int> BodyBook::released() const {
+    return chosen([this](int body) { return released(body); });
+}
+
 std::vector<int> BodyBook::activeBodies() const {
     return chosen([this](int body) { return active(body); });
 }
@@ -36,9 +41,22 @@ std::vector<int> BodyBook::awakeBodies() const {
     return chosen([this](int body) { return awake(body); });
 }
 
-void BodyBook::setAbsent(const std::vector<int>& absent) {
+bool BodyBook::releaseAnchors(int body) {
+    if (!present(body) || released(body) || world_.description().bodies[body].anchors.empty())
+        return false;
+    return released_[body] = true;
+}
+
+void BodyBook::follow(const State& state) {
     present_.assign(present_.size(), true);
-    for (const int body : absent) present_[body] = false;
+    for (const int body : state.absent) present_[body] = false;
+    released_.assign(released_.size(), false);
+    for (const int body : state.released) released_[body] = true;
+}
+
+void BodyBook::describe(State& state) const {
+    state.absent = absent();
+    state.released = released();
 }
 
 BodyBook::Members BodyBook::split(const std::vector<int>& members) const {
@@ -88,10 +106,11 @@ BodyBook::Members BodyBook::settle(const std::function<bool(int body)>& ready,
     return split(settleTouching(sleepers_, world_, status, addBoxes, objects));
 }
 
-void BodyBook::archivePresence(Archive& archive) {
-    std::vector<int> now = absent();
-    archiveAbsent(archive, world_, now);
-    if (archive.reads()) setAbsent(now);
+void BodyBook::archiveBodies(Archive& archive) {
+    State now;
+    describe(now);
+    core::archiveBodies(archive, world_, now.absent, now.released);
+    if (archive.reads()) follow(now);
 }
 
 void BodyBook::archiveSleepers(Archive& archive) {

@@ -6,9 +6,9 @@
 
 namespace sunder::core {
 
-/// What a solver knows of the bodies of its world as wholes: which are there, which it has, and
-/// which of them, and of the objects, sleep (core/sleep.hpp). The book alone: what follows for
-/// arrays and textures is up to the solver, which is told what changed.
+/// What a solver knows of the bodies of its world as wholes: which are there, which it has, whose
+/// anchors have let go, and which of them, and of the objects, sleep (core/sleep.hpp). The book
+/// alone: what follows for arrays and textures is up to the solver, which is told what changed.
 class BodyBook {
   public:
     /// All bodies are there, held and awake. `world` must outlive it.
@@ -24,17 +24,28 @@ class BodyBook {
     bool asleep(int body) const { return active(body) && sleepers_.asleep(memberOfBody(body)); }
     bool awake(int body) const { return active(body) && !asleep(body); }
     bool objectAsleep(int object) const { return sleepers_.asleep(memberOfObject(world_, object)); }
+    /// Whether its anchors have let go.
+    bool released(int body) const { return released_[body]; }
     /// Bodies that are not there, ascending.
     std::vector<int> absent() const;
+    /// Bodies whose anchors have let go, ascending.
+    std::vector<int> released() const;
     std::vector<int> activeBodies() const;
     std::vector<int> awakeBodies() const;
 
-    /// Of a body that is awake.
-    void setPresent(int body, bool present) { present_[body] = present; }
+    /// Of a body that is awake: it is there, as it was described, or not.
+    void setPresent(int body, bool present) {
+        present_[body] = present;
+        released_[body] = false;
+    }
     /// Likewise.
     void setHeld(int body, bool held) { held_[body] = held; }
-    /// All others are there.
-    void setAbsent(const std::vector<int>& absent);
+    /// Whether that changed anything: it is there, has anchors, and they had not let go.
+    bool releaseAnchors(int body);
+    /// Takes over what a state says of bodies as wholes.
+    void follow(const State& state);
+    /// Puts it into a state.
+    void describe(State& state) const;
 
     /// Some bodies and objects, each ascending.
     struct Members {
@@ -56,8 +67,9 @@ class BodyBook {
                    const std::function<RestIslands::Status(int object)>& ofObject,
                    const std::vector<ObjectState>& objects);
 
-    /// Which bodies are there. Nobody sleeps by then, or archiveSleepers() follows.
-    void archivePresence(Archive& archive);
+    /// Which bodies are there, and whose anchors have let go. Nobody sleeps by then, or
+    /// archiveSleepers() follows.
+    void archiveBodies(Archive& archive);
     void archiveSleepers(Archive& archive);
 
   private:
@@ -66,7 +78,7 @@ class BodyBook {
     std::vector<int> chosen(const Choice& choice) const;
 
     const World& world_;
-    std::vector<bool> present_, held_;
+    std::vector<bool> present_, held_, released_;
     RestIslands sleepers_;
 };
 

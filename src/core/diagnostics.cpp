@@ -120,6 +120,7 @@ std::uint64_t stateHash(const State& state) {
         add(object.angularMomentum);
     }
     for (const int body : state.absent) add(Vec3::Constant(body));
+    for (const int body : state.released) add(Vec3::Constant(-1 - body));
     return hash;
 }
 

@@ -44,7 +44,7 @@ std::vector<PieceMotion> pieceMotions(const World& world, const State& state,
             piece.mass += mass;
             piece.centre += mass * place;
             piece.velocity += mass * state.velocity[node];
-            piece.anchored |= world.anchored(node);
+            piece.anchored |= world.anchored(node, state);
         }
         ++piece.cells;
     }

@@ -87,6 +87,7 @@ void archive(Archive& a, const World& world, Solver& solver, std::vector<Presenc
     a.list(changes, 2 * world.bodies().size(), [&](PresenceChange& change) {
         change.body = a.whole(change.body, 0, bodies - 1);
         change.present = a.flag(change.present);
+        change.released = a.flag(change.released);
     });
 }
 

@@ -21,12 +21,13 @@ namespace sunder::core {
 
 inline constexpr char kStateMagic[] = "SundSave";
 /// Another one with every change of what any part of a solver archives.
-inline constexpr std::uint32_t kStateFormat = 3;
+inline constexpr std::uint32_t kStateFormat = 4;
 
-/// What a solver has yet to be told by Solver::setPresent().
+/// What a solver has yet to be told by Solver::setPresent(), and then by releaseAnchors().
 struct PresenceChange {
     int body = 0;
     bool present = false;
+    bool released = false;  ///< whether its anchors let go as it comes
 };
 
 /// Where `solver` is, and what it has yet to be told. It goes on as if nothing had happened, to the

@@ -9,22 +9,22 @@ namespace sunder::core {
 namespace {
 
 /// m/s.
-double atMost(double fastest, const World& world, const Body& body) {
+double atMost(double fastest, const World& world, const Body& body, bool released) {
     const double speed = std::min(fastest, body.calmest);
     const double falling = body.gravity.norm() * kSleepDelay;  // what it would gain
     if (falling > 0) return std::min(speed, 0.1 * falling);
     const auto& anchors = world.description().bodies[&body - world.bodies().data()].anchors;
-    return anchors.empty() ? std::min(speed, 1e-3 * body.cellSize.minCoeff()) : speed;
+    return anchors.empty() || released ? std::min(speed, 1e-3 * body.cellSize.minCoeff()) : speed;
 }
 
 }  // namespace
 
-double calmSpeed(const World& world, const Body& body) {
-    return atMost(kSleepSpeed * body.cellSize.minCoeff(), world, body);
+double calmSpeed(const World& world, const Body& body, bool released) {
+    return atMost(kSleepSpeed * body.cellSize.minCoeff(), world, body, released);
 }
 
-double creepSpeed(const World& world, const Body& body) {
-    return atMost(kCreepSpeed * body.cellSize.minCoeff(), world, body);
+double creepSpeed(const World& world, const Body& body, bool released) {
+    return atMost(kCreepSpeed * body.cellSize.minCoeff(), world, body, released);
 }
 
 bool calm(const ObjectUnrest& unrest) {

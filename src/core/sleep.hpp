@@ -35,10 +35,10 @@ inline constexpr double kHangingSpeed = 0.005;
 /// m/s: a calm body has no node faster than this. (At most a tenth of what it would gain by falling
 /// for kSleepDelay; without gravity and anchors next to nothing, for it rests on nothing. What may
 /// be on its way out of something, core/overlap.hpp, is never calm at more than a quarter of the
-/// speed it is pushed with: Body::calmest.)
-double calmSpeed(const World& world, const Body& body);
+/// speed it is pushed with: Body::calmest.) released: whether its anchors have let go.
+double calmSpeed(const World& world, const Body& body, bool released = false);
 /// m/s: nor one that touches something than this.
-double creepSpeed(const World& world, const Body& body);
+double creepSpeed(const World& world, const Body& body, bool released = false);
 
 /// What an object did in the steps since it was last looked at.
 struct ObjectUnrest {

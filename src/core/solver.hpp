@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -20,6 +21,16 @@ class PassObserver {
     virtual void wrote(std::string_view pass, std::span<const float> values) = 0;
 };
 
+/// A copy of a solver's state on its way from a GPU.
+class StateCopy {
+  public:
+    virtual ~StateCopy() = default;
+    /// From now on the state as it is now. Waits for nothing.
+    virtual void start() = 0;
+    /// The state as it was when start() was called last. Waits only where the GPU is not that far.
+    virtual State take() = 0;
+};
+
 /// Advances a world in time. Every solver means the same physics (shared contract:
 /// docs/solvers.md#what-they-share).
 class Solver {
@@ -31,6 +42,8 @@ class Solver {
     /// Returns once everything that advance() started is done.
     virtual void finish() {}
     virtual State state() const = 0;
+    /// Null where state() waits for no GPU. It must not outlive the solver.
+    virtual std::unique_ptr<StateCopy> makeStateCopy() const { return nullptr; }
     /// `state` must come from the same world. Everything wakes.
     virtual void setState(const State& state) = 0;
     /// All that it knows (core/saved_state.hpp), once finish() was called.
@@ -53,6 +66,12 @@ class Solver {
     virtual void setPresent(int body, bool present) = 0;
     /// Whether a body is there.
     virtual bool present(int body) const = 0;
+    /// Lets go of a body's anchors at once, until it is put there anew; it wakes, with what sleeps
+    /// with it. Nothing is read back, and nothing waits. Nothing changes where it has none, or is
+    /// not there.
+    virtual void releaseAnchors(int body) = 0;
+    /// Whether they have let go.
+    virtual bool released(int body) const = 0;
     /// How many bodies a GPU has at the moment, where a solver shares them out; else nothing.
     virtual std::optional<int> bodiesOnGpu() const { return std::nullopt; }
     /// Whether a solver that measures where bodies are best off knows it, for the load as it is.

@@ -26,9 +26,15 @@ struct State {
     /// Bodies that are not there (Solver::setPresent()), ascending. Their numbers are those of
     /// World::initialState().
     std::vector<int> absent;
+    /// Bodies whose anchors have let go (Solver::releaseAnchors()), ascending.
+    std::vector<int> released;
 
     /// Whether a body is there.
     bool has(int body) const { return !std::binary_search(absent.begin(), absent.end(), body); }
+    /// Whether its anchors have let go.
+    bool hasReleased(int body) const {
+        return std::binary_search(released.begin(), released.end(), body);
+    }
 };
 
 }  // namespace sunder::core

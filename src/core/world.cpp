@@ -40,6 +40,12 @@ double inSteps(double time, double step) {
     return std::abs(steps - whole) <= 1e-12 * std::max(1.0, steps) ? whole : steps;
 }
 
+/// In a list of bodies that ascends, once.
+void include(std::vector<int>& bodies, int body) {
+    const auto at = std::lower_bound(bodies.begin(), bodies.end(), body);
+    if (at == bodies.end() || *at != body) bodies.insert(at, body);
+}
+
 }  // namespace
 
 IVec3 Body::coordinates(int cell) const {
@@ -271,11 +277,11 @@ void World::makeEvents() {
     }
 }
 
-Event World::makeEvent(EventDescription event, double now) const {
+Event World::makeEvent(EventDescription event, double now, bool released) const {
     const std::string name = event.where.empty() ? "the event" : event.where;
     checkEvent(event, bodies_.size(), complainAbout(name));
     event.time += now;
-    return layOutEvent(event, name);
+    return layOutEvent(event, name, released);
 }
 
 ObjectState World::makeThrow(const ThrowDescription& thrown) const {
@@ -283,7 +289,8 @@ ObjectState World::makeThrow(const ThrowDescription& thrown) const {
     return thrownState(description_.objects[thrown.object], thrown);
 }
 
-Event World::layOutEvent(const EventDescription& from, const std::string& name) const {
+Event World::layOutEvent(const EventDescription& from, const std::string& name,
+                         bool released) const {
     Event event;
     event.body = from.body;
     event.radius = static_cast<float>(from.radius);
@@ -301,7 +308,7 @@ Event World::layOutEvent(const EventDescription& from, const std::string& name) 
     double mass = 0;
     for (int node = kCorners * body.firstCell;
          node < kCorners * (body.firstCell + body.cellCount()); ++node) {
-        if (!anchored(node) && insidePatch(event, restPosition(node).cast<float>()))
+        if ((released || !anchored(node)) && insidePatch(event, restPosition(node).cast<float>()))
             mass += nodeMass(node);
     }
     if (mass == 0)
@@ -368,24 +375,29 @@ State World::initialState() const {
 }
 
 void World::setPresent(State& state, int body, bool present) const {
-    if (state.has(body) != present) {
-        if (present)
-            std::erase(state.absent, body);
-        else
-            state.absent.insert(std::upper_bound(state.absent.begin(), state.absent.end(), body),
-                                body);
-    }
-    const State initial = initialState();
+    if (present)
+        std::erase(state.absent, body);
+    else
+        include(state.absent, body);
+    std::erase(state.released, body);
+    copyBody(initialState(), body, state);
+}
+
+void World::copyBody(const State& from, int body, State& to) const {
     const Body& of = bodies_[body];
-    const auto copy = [&](const auto& from, auto& to, int each) {
-        std::copy_n(from.begin() + each * of.firstCell, each * of.cellCount(),
-                    to.begin() + each * of.firstCell);
+    const auto copy = [&](const auto& source, auto& target, int each) {
+        std::copy_n(source.begin() + each * of.firstCell, each * of.cellCount(),
+                    target.begin() + each * of.firstCell);
     };
-    copy(initial.displacement, state.displacement, kCorners);
-    copy(initial.velocity, state.velocity, kCorners);
-    copy(initial.damage, state.damage, kBondsPerCell);
-    copy(initial.slow, state.slow, kBondsPerCell);
-    copy(initial.slowStress, state.slowStress, 1);
+    copy(from.displacement, to.displacement, kCorners);
+    copy(from.velocity, to.velocity, kCorners);
+    copy(from.damage, to.damage, kBondsPerCell);
+    copy(from.slow, to.slow, kBondsPerCell);
+    copy(from.slowStress, to.slowStress, 1);
+}
+
+void World::releaseAnchors(State& state, int body) {
+    include(state.released, body);
 }
 
 }  // namespace sunder::core

@@ -106,7 +106,12 @@ class World {
     }  ///< kg, of this copy alone; 0 where the cell is absent
     /// kg, of a present cell.
     double cellMass(int cell) const { return kCorners * nodeMass_[kCorners * cell]; }
+    /// As described.
     bool anchored(int node) const { return anchored_[node] != 0; }
+    /// False where the body's anchors have let go.
+    bool anchored(int node, const State& state) const {
+        return anchored(node) && !state.hasReleased(bodyOf(node / kCorners));
+    }
     /// Pa; infinite where nothing but whole-cell fracture can break the bond.
     float bondStrength(int bond) const { return bondStrength_[bond]; }
 
@@ -119,14 +124,19 @@ class World {
     State initialState() const;
     /// A body that is to be in `state` or not, whole and at rest as initialState() has it.
     void setPresent(State& state, int body, bool present) const;
+    /// Copies what states say of a body's cells.
+    void copyBody(const State& from, int body, State& to) const;
+    /// A body whose anchors let go.
+    static void releaseAnchors(State& state, int body);
 
     /// 64-bit FNV-1a of all that states and their future depend on: worlds of the same description
     /// have the same one on every machine.
     std::uint64_t fingerprint() const { return fingerprint_; }
 
     /// What an event means in this world whose `time` counts from `now`, s. Throws InputError for
-    /// what checkEvent() refuses (core/check.hpp), and where it could push nothing.
-    Event makeEvent(EventDescription, double now = 0) const;
+    /// what checkEvent() refuses (core/check.hpp), and where it could push nothing. released:
+    /// whether the body's anchors have let go, so that nodes there are pushed, too.
+    Event makeEvent(EventDescription, double now = 0, bool released = false) const;
     /// How an object leaves a throw. Throws InputError for what checkThrow() refuses.
     ObjectState makeThrow(const ThrowDescription&) const;
 
@@ -136,7 +146,8 @@ class World {
     void makeBonds();
     void makeEvents();
     /// `name`: of the event, in messages.
-    Event layOutEvent(const EventDescription&, const std::string& name) const;
+    Event layOutEvent(const EventDescription&, const std::string& name,
+                      bool released = false) const;
     void makeObjects();
     void findOverlaps();
     void findUnequalCells();

@@ -61,7 +61,8 @@ struct BodyArrays {
                               ///< xy yz zx; only with bonds that can break
     float* over = nullptr;    ///< [cell] 1 where the cell's stress exceeds maxStress; else 0
 
-    // --- constant, or constant until a bond breaks ---
+    // --- constant, or constant until a bond breaks or its anchors let go ---
+    bool released = false;         ///< they have
     float* strength = nullptr;     ///< Pa, [axis][cell]
     float* side = nullptr;         ///< [cell] +1 or −1 by parity: which way the cell is mirrored
     float* inverseMass = nullptr;  ///< 1/kg, of joined groups, tiles of corners; 0: held

@@ -19,14 +19,11 @@ constexpr int kMostCalmSteps = 1 << 30;
 BodyRun::BodyRun(const World& world, int index, const std::vector<Law>& laws,
                  const EventSchedule& events)
     : world_(world), events_(events), storage_(world, index, laws), news_(kMaxParts) {
-    const Body& body = world.bodies()[index];
     const BodyArrays& a = storage_.arrays();
     for (const Event& event : world.events()) addPatch(event, 0);
     ofWorld_ = patches_.size();
     reach_ = (a.reach + kLanes - 1) / kLanes;
-    const double calm = calmSpeed(world, body), creep = creepSpeed(world, body);
-    calmSpeed2_ = static_cast<float>(calm * calm);
-    creepSpeed2_ = static_cast<float>(creep * creep);
+    setReleased(false);
     sleepSteps_ = sunder::core::sleepSteps(world);
 }
 
@@ -335,10 +332,23 @@ void BodyRun::exchange(AnyState& state, const Move& move) const {
     }
 }
 
-void BodyRun::load(const State& state) {
-    exchange(state, [](float& mine, double theirs) { mine = static_cast<float>(theirs); });
+void BodyRun::setReleased(bool released) {
+    storage_.arrays().released = released;
+    const Body& body = world_.bodies()[storage_.arrays().index];
+    const double calm = calmSpeed(world_, body, released),
+                 creep = creepSpeed(world_, body, released);
+    calmSpeed2_ = static_cast<float>(calm * calm);
+    creepSpeed2_ = static_cast<float>(creep * creep);
+}
+
+void BodyRun::relink() {
     relinkAll(world_, storage_.arrays());
     ++relinks_;
+}
+
+void BodyRun::load(const State& state) {
+    exchange(state, [](float& mine, double theirs) { mine = static_cast<float>(theirs); });
+    relink();
     asleep_ = touching_ = false;
     calmSteps_ = 0;
     broken_.clear();
@@ -383,8 +393,7 @@ void BodyRun::archive(Archive& a, bool listed) {
         });
     }
     if (!a.reads()) return;
-    relinkAll(world_, body);
-    ++relinks_;
+    relink();
     asleep_ = asleep;
     calmSteps_ = calmSteps;
     touching_ = false;

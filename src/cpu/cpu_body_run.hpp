@@ -54,6 +54,10 @@ class BodyRun {
     /// m, of one of the body's nodes.
     core::Vec3 position(int node) const;
 
+    /// Whether its anchors have let go; nothing follows yet from another answer but from relink()
+    /// or load().
+    void setReleased(bool released);
+    void relink();
     void load(const core::State& state);
     void store(core::State& state) const;
     /// What it keeps between two steps. listed: whether breaks are, which are archived then.

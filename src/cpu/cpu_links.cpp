@@ -49,7 +49,7 @@ void relinkPoint(const World& world, BodyArrays& a, const LinkTable& table, int 
             if (!(mask >> member & 1)) continue;
             const int node = kCorners * cells[member] + (member ^ 7);
             mass += world.nodeMass(node);
-            anchored |= world.anchored(node);
+            anchored |= world.anchored(node) && !a.released;
         }
         const std::ptrdiff_t at = tiled(kCorners, corner, places[octant]);
         a.links[at] = mask;

@@ -327,7 +327,7 @@ State CpuSolver::state() const {
     State state = world_.initialState();
     state.step = step_;
     state.pushes = events_.added(step_);
-    state.absent = book_.absent();
+    book_.describe(state);
     for (const int body : book_.activeBodies()) bodies_[body]->store(state);
     storeObjects(state);
     return state;
@@ -348,9 +348,19 @@ void CpuSolver::setPresent(int body, bool present) {
     const bool touches = runner_->contact && book_.holds(body);
     if (touches && !present) wakeAround(body);
     book_.setPresent(body, present);
+    bodies_[body]->setReleased(false);
     bodies_[body]->load(world_.initialState());
     if (touches && present) wakeAround(body);
     shareOut();
+}
+
+void CpuSolver::releaseAnchors(int body) {
+    if (!book_.releaseAnchors(body)) return;
+    bodies_[body]->setReleased(true);
+    if (!holds(body)) return;
+    bodies_[body]->relink();
+    wake(memberOfBody(body));
+    if (!runner_->contact) bodies_[body]->wake();
 }
 
 void CpuSolver::wakeAround(int body) {
@@ -366,10 +376,11 @@ void CpuSolver::wakeAround(int body) {
 void CpuSolver::setState(const State& state) {
     step_ = state.step;
     events_.setAdded(state.pushes);
-    book_.setAbsent(state.absent);
+    book_.follow(state);
     shareOut();
     for (int body = 0; body < bodyCount(); ++body) {
         bodies_[body]->setAddedPatches(state.pushes, step_);
+        bodies_[body]->setReleased(book_.released(body));
         if (holds(body)) bodies_[body]->load(state);
     }
     book_.wakeAll();
@@ -381,8 +392,12 @@ void CpuSolver::archive(Archive& a) {
     a.section("step");
     const std::int64_t step = a.step(step_);
     events_.archive(a, step);
-    book_.archivePresence(a);
-    if (a.reads()) shareOut();
+    book_.archiveBodies(a);
+    if (a.reads()) {
+        shareOut();
+        for (int body = 0; body < bodyCount(); ++body)
+            bodies_[body]->setReleased(book_.released(body));
+    }
     Runner& runner = *runner_;
     a.section("looks");
     const bool watched = a.flag(runner.watch != nullptr);

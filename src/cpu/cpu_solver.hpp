@@ -30,6 +30,8 @@ class CpuSolver : public core::Solver, public core::BodyHost {
     void putObject(int object, const core::ObjectState& state) override;
     void setPresent(int body, bool present) override;
     bool present(int body) const override { return book_.present(body); }
+    void releaseAnchors(int body) override;
+    bool released(int body) const override { return book_.released(body); }
     bool asleep(int body) const override;
     bool objectAsleep(int object) const override;
     void setIncidents(core::IncidentRing* ring) override;

@@ -107,7 +107,7 @@ void ReferenceSolver::archive(Archive& a) {
     now.step = a.step(state_.step);
     a.section("pushes");
     a.list(now.pushes, kMaxPushes, [&](Event& event) { core::archive(a, world_, event); });
-    archiveAbsent(a, world_, now.absent);
+    archiveBodies(a, world_, now.absent, now.released);
     archiveCells<double>(a, world_, now);
     IncidentWatch::archive(a, world_, watch_.get());
     a.section("searches");
@@ -134,6 +134,10 @@ void ReferenceSolver::setPresent(int body, bool present) {
     world_.setPresent(state_, body, present);
     updateLinks();
     searchDue_ = true;
+}
+
+void ReferenceSolver::releaseAnchors(int body) {
+    if (present(body)) World::releaseAnchors(state_, body);
 }
 
 void ReferenceSolver::setIncidents(IncidentRing* ring) {
@@ -214,7 +218,7 @@ ReferenceSolver::NodeGroup ReferenceSolver::groupOf(int node) const {
         const int member = kCorners * cell + (octant ^ 7);
         group.force += force_[member];
         group.mass += world_.nodeMass(member);
-        group.anchored |= world_.anchored(member);
+        group.anchored |= world_.anchored(member, state_);
         if (contact_) group.listed += contact_->listed()[cell];
     }
     return group;

@@ -28,6 +28,8 @@ class ReferenceSolver : public core::Solver {
     void putObject(int object, const core::ObjectState& state) override;
     void setPresent(int body, bool present) override;
     bool present(int body) const override { return state_.has(body); }
+    void releaseAnchors(int body) override;
+    bool released(int body) const override { return state_.hasReleased(body); }
     void setIncidents(core::IncidentRing* ring) override;
 
   private:

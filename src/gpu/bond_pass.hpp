@@ -18,17 +18,18 @@ class BondPass {
     const gl::Buffer& linkBuffer() const { return linkBuffer_; }
 
     /// Advances damage by one fracture interval from the stresses of the last element update, then
-    /// the links. Needs bindWorld().
+    /// the links. Needs bindWorld() and ReleasedBodies::bind().
     void update(const Feedback&);
-    /// Sets the damage and recomputes the links. Needs bindWorld().
+    /// Sets the damage and recomputes the links. Needs the same.
     void write(const core::State&, const Feedback&);
+    /// After anchors let go. Needs bindWorld() and ReleasedBodies::bind().
+    void updateLinks(const Feedback&);
 
   private:
     struct Side {
         BondBuffer bonds;
         gl::VertexArray attributes;
     };
-    void updateLinks(const Feedback&);
 
     int cellCount_;
     gl::Program fractureProgram_, linkProgram_;

@@ -41,6 +41,7 @@ enum Unit {
     kPushesBefore,
     kPushesEarlier,
     kPartings,
+    kReleased,
     kUnitCount
 };
 

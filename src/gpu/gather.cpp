@@ -48,6 +48,7 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
           nodes_[0].program(world, "gather/still.frag", {{"NODES", "1"}, {"FIRST", "0"}}),
           nodes_[0].program(world, "gather/still.frag", {{"NODES", "1"}, {"FIRST", "4"}})},
       book_(world),
+      released_(world),
       awake_(world.bodies().size(), "awake cells"),
       monitor_(world, columns_, events_.schedule()) {
     if (breakable_) {
@@ -79,14 +80,65 @@ GatherSolver::NodePass GatherSolver::nodePass(const char* events) const {
     return pass;
 }
 
-State GatherSolver::state() const {
+State GatherSolver::outline() const {
     State state = world_.initialState();
     state.step = step_;
     state.pushes = events_.schedule().added(step_);
-    state.absent = book_.absent();
+    book_.describe(state);
+    return state;
+}
+
+State GatherSolver::state() const {
+    State state = outline();
     read({0, world_.cellCount()}, state);
     if (objects_) objects_->read(state);
     return state;
+}
+
+class GatherSolver::LateState : public StateCopy {
+  public:
+    explicit LateState(const GatherSolver& solver)
+        : solver_(solver),
+          cells_(kLayers * solver.nodes_[0].layerBytes(), nullptr, GL_STREAM_READ, "late cells") {}
+    void start() override {
+        outline_ = solver_.outline();
+        std::size_t offset = 0;
+        const auto copy = [&](const TexelTarget& from, int layers) {
+            for (int layer = 0; layer < layers; ++layer, offset += from.layerBytes())
+                from.copy(layer, cells_, offset);
+        };
+        copy(solver_.nodes_[solver_.currentNodes_], kNodeLayers);
+        copy(solver_.bonds_[solver_.currentBonds_], kBondTexels);
+        if (solver_.objects_) solver_.objects_->copy(objects_);
+        done_ = gl::Fence::insert();
+        glFlush();
+    }
+    State take() override {
+        done_.wait();
+        State state = outline_;
+        std::vector<vec4> texels(cells_.size() / sizeof(vec4));
+        cells_.read(0, cells_.size(), texels.data());
+        const TexelTarget& nodes = solver_.nodes_[0];
+        const auto at = [&](int layer) {
+            return texels.data() + static_cast<std::size_t>(layer) * nodes.layerTexels();
+        };
+        solver_.readLayers(
+            {0, solver_.world_.cellCount()}, state, [&](int layer) { return at(layer); },
+            [&](int layer) { return at(kNodeLayers + layer); });
+        if (solver_.objects_) solver_.objects_->read(objects_, state);
+        return state;
+    }
+
+  private:
+    static constexpr int kNodeLayers = 2 * kCorners, kLayers = kNodeLayers + kBondTexels;
+    const GatherSolver& solver_;
+    State outline_;
+    gl::Buffer cells_, objects_;
+    gl::Fence done_;
+};
+
+std::unique_ptr<StateCopy> GatherSolver::makeStateCopy() const {
+    return std::make_unique<LateState>(*this);
 }
 
 void GatherSolver::push(const Event& event) {
@@ -108,8 +160,8 @@ void GatherSolver::setState(const State& state) {
         incidents_->finish();
         incidents_->forget();
     }
-    book_.setAbsent(state.absent);
-    presenceChanged();
+    book_.follow(state);
+    bookChanged();
     write({0, world_.cellCount()}, state);
     for (const int body : state.absent) writeBoth(cellsOf(world_, body), state);
     book_.wakeAll();
@@ -125,8 +177,8 @@ void GatherSolver::archive(Archive& a) {
     a.section("step");
     const std::int64_t step = a.step(step_);
     events_.schedule().archive(a, step);
-    book_.archivePresence(a);
-    if (a.reads()) presenceChanged();
+    book_.archiveBodies(a);
+    if (a.reads()) bookChanged();
     archiveCells(a);
     book_.archiveSleepers(a);
     monitor_.archive(a);
@@ -223,7 +275,7 @@ void GatherSolver::setPresent(int body, bool present) {
         wakeAround(body, own);
     }
     book_.setPresent(body, present);
-    monitor_.setPresent(body, present);
+    bookChanged();
     const TexelRange cells = cellsOf(world_, body);
     writeBoth(cells, world_.initialState());
     if (!holds(body)) return;
@@ -234,6 +286,24 @@ void GatherSolver::setPresent(int body, bool present) {
         wakeAround(body, {{memberOfBody(body), box.low - reach, box.high + reach}});
     }
     bodiesChanged();
+    relink(body);
+}
+
+void GatherSolver::releaseAnchors(int body) {
+    if (!book_.releaseAnchors(body)) return;
+    bookChanged();
+    if (!holds(body)) return;
+    // Contacts are searched for anew only where something wakes, for others' bits.
+    if (asleep(body)) {
+        wake(memberOfBody(body));
+        bodiesChanged();
+    }
+    changed(body);
+    relink(body);
+}
+
+void GatherSolver::relink(int body) {
+    const TexelRange cells = cellsOf(world_, body);
     TexelRanges own(1, "a body's cells");
     own.set({&cells, 1}, columns_);
     bindInputs();
@@ -253,8 +323,10 @@ const std::vector<ObjectState>& GatherSolver::knownObjects() const {
     return objects_ ? objects_->known() : kNone;
 }
 
-void GatherSolver::presenceChanged() {
-    for (int body = 0; body < bodyCount(); ++body) monitor_.setPresent(body, present(body));
+void GatherSolver::bookChanged() {
+    for (int body = 0; body < bodyCount(); ++body)
+        monitor_.setBody(body, present(body), book_.released(body));
+    released_.write(book_);
 }
 
 void GatherSolver::writeBoth(TexelRange cells, const State& state) {
@@ -349,26 +421,33 @@ void GatherSolver::write(TexelRange cells, const State& state) {
                                   damage.data());
 }
 
-void GatherSolver::read(TexelRange cells, State& state) const {
+template <class NodeLayer, class BondLayer>
+void GatherSolver::readLayers(TexelRange cells, State& state, const NodeLayer& nodes,
+                              const BondLayer& bonds) const {
+    const int count = cells.end - cells.first;
     for (int corner = 0; corner < kCorners; ++corner) {
-        const std::vector<vec4> u = nodes_[currentNodes_].read(2 * corner, cells),
-                                v = nodes_[currentNodes_].read(2 * corner + 1, cells);
-        for (std::size_t i = 0; i < u.size(); ++i) {
-            const int node = kCorners * (cells.first + static_cast<int>(i)) + corner;
+        const auto u = nodes(2 * corner), v = nodes(2 * corner + 1);
+        for (int i = 0; i < count; ++i) {
+            const int node = kCorners * (cells.first + i) + corner;
             state.displacement[node] = {u[i].x, u[i].y, u[i].z};
             state.velocity[node] = {v[i].x, v[i].y, v[i].z};
         }
     }
-    const std::vector<vec4> damage = bonds_[currentBonds_].read(0, cells),
-                            slow = bonds_[currentBonds_].read(1, cells);
-    for (std::size_t i = 0; i < damage.size(); ++i) {
-        state.slowStress[cells.first + static_cast<int>(i)] = slow[i].w;
+    const auto damage = bonds(0), slow = bonds(1);
+    for (int i = 0; i < count; ++i) {
+        state.slowStress[cells.first + i] = slow[i].w;
         for (int axis = 0; axis < kBondsPerCell; ++axis) {
-            const int bond = kBondsPerCell * (cells.first + static_cast<int>(i)) + axis;
+            const int bond = kBondsPerCell * (cells.first + i) + axis;
             state.damage[bond] = damage[i][axis];
             state.slow[bond] = slow[i][axis];
         }
     }
+}
+
+void GatherSolver::read(TexelRange cells, State& state) const {
+    readLayers(
+        cells, state, [&](int layer) { return nodes_[currentNodes_].read(layer, cells); },
+        [&](int layer) { return bonds_[currentBonds_].read(layer, cells); });
 }
 
 void GatherSolver::Copy::update(const TexelTarget& from, std::initializer_list<int> layers,
@@ -406,6 +485,7 @@ void GatherSolver::setIncidents(IncidentRing* ring) {
 
 void GatherSolver::bindInputs() const {
     bindWorld(buffers_);
+    released_.bind();
     gl::bindTexture(kEvents, GL_TEXTURE_BUFFER, events_.texture());
     gl::bindTexture(kLinks, GL_TEXTURE_2D_ARRAY, links_.texture());
     gl::bindTexture(kForces, GL_TEXTURE_2D_ARRAY, forces_.texture());

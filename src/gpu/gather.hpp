@@ -10,6 +10,7 @@
 #include "gpu/feedback.hpp"
 #include "gpu/incident_pass.hpp"
 #include "gpu/object_pass.hpp"
+#include "gpu/released_bodies.hpp"
 #include "gpu/rest_monitor.hpp"
 #include "gpu/texel_target.hpp"
 
@@ -36,12 +37,15 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     void advance(int steps) override;
     void finish() override;
     core::State state() const override;
+    std::unique_ptr<core::StateCopy> makeStateCopy() const override;
     void setState(const core::State& state) override;
     void archive(core::Archive& archive) override;
     void push(const core::Event& event) override;
     void putObject(int object, const core::ObjectState& state) override;
     void setPresent(int body, bool present) override;
     bool present(int body) const override { return book_.present(body); }
+    void releaseAnchors(int body) override;
+    bool released(int body) const override { return book_.released(body); }
     bool asleep(int body) const override { return book_.asleep(body); }
     bool objectAsleep(int object) const override { return book_.objectAsleep(object); }
     StateView view() override;
@@ -76,10 +80,18 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     void bindInputs() const;
     void write(TexelRange cells, const core::State& state);
     void read(TexelRange cells, core::State& state) const;
+    /// What a state has beside the numbers of cells and objects.
+    core::State outline() const;
+    class LateState;
+    /// nodes(layer), bonds(layer): texels of a layer, from the first of `cells` on.
+    template <class NodeLayer, class BondLayer>
+    void readLayers(TexelRange cells, core::State& state, const NodeLayer& nodes,
+                    const BondLayer& bonds) const;
     void archiveCells(core::Archive& archive);
     void archiveLooks(core::Archive& archive);
-    /// The book has other bodies that are not there.
-    void presenceChanged();
+    /// The book says other things of bodies as wholes.
+    void bookChanged();
+    void relink(int body);
     /// Wakes a body that comes or goes, and what sleeps where these boxes of it are.
     void wakeAround(int body, const std::vector<core::RestBox>& own);
     /// Both halves of the ping-pong: what no pass touches is to be the same in both.
@@ -134,6 +146,7 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     GLint bondWatchUniform_ = -1;
 
     core::BodyBook book_;
+    ReleasedBodies released_;
     TexelRanges awake_;
     std::optional<ContactPass> contact_;
     std::optional<ObjectPass> objects_;

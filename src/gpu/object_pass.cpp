@@ -186,6 +186,25 @@ void ObjectPass::read(State& state) const {
         state.objects.push_back(stateOf([&](int layer) { return layers[layer][i]; }));
 }
 
+void ObjectPass::copy(gl::Buffer& to) const {
+    const TexelTarget& motion = motion_[current_];
+    if (to.size() == 0)
+        to = gl::Buffer(SUNDER_OBJECT_LAYERS * motion.layerBytes(), nullptr, GL_STREAM_READ,
+                        "late objects");
+    for (int layer = 0; layer < SUNDER_OBJECT_LAYERS; ++layer)
+        motion.copy(layer, to, static_cast<std::size_t>(layer) * motion.layerBytes());
+}
+
+void ObjectPass::read(const gl::Buffer& from, State& state) const {
+    std::vector<vec4> texels(from.size() / sizeof(vec4));
+    from.read(0, from.size(), texels.data());
+    const std::size_t layerTexels = motion_[current_].layerTexels();
+    state.objects.clear();
+    for (int i = 0; i < count_; ++i)
+        state.objects.push_back(
+            stateOf([&](int layer) { return texels[layer * layerTexels + i]; }));
+}
+
 void ObjectPass::archive(Archive& a, const std::function<bool(int object)>& asleep) {
     a.section("objects");
     Motion motion(static_cast<std::size_t>(SUNDER_OBJECT_LAYERS * count_));

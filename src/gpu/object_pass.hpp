@@ -34,6 +34,10 @@ class ObjectPass {
     void set(const core::State& state);
     /// Waits for the GPU.
     void read(core::State& state) const;
+    /// Copies what read() reads within the GPU; `to` may be empty.
+    void copy(gl::Buffer& to) const;
+    /// What was copied there, once that is done.
+    void read(const gl::Buffer& from, core::State& state) const;
     /// All of it, in either direction; waits for the GPU. asleep: which objects are to be, once all
     /// is read.
     void archive(core::Archive& archive, const std::function<bool(int object)>& asleep);

@@ -55,9 +55,8 @@ RestMonitor::RestMonitor(const World& world, int columns, const EventSchedule& e
                                {{"CONTACT", world.description().contact ? "1" : "0"}})) {
     int chunk = 0;
     for (const sunder::core::Body& body : world.bodies()) {
-        const auto calm = static_cast<float>(calmSpeed(world, body)),
-                   creep = static_cast<float>(creepSpeed(world, body));
-        bodies_.push_back({{chunk, chunk + countChunks(body)}, calm * calm, creep * creep});
+        bodies_.push_back({{chunk, chunk + countChunks(body)}});
+        setBody(static_cast<int>(bodies_.size()) - 1, true, false);
         chunk = bodies_.back().chunks.end;
     }
     const TexelRange every{0, chunk};
@@ -65,6 +64,16 @@ RestMonitor::RestMonitor(const World& world, int columns, const EventSchedule& e
     for (Answer& answer : answers_)
         answer.texels = gl::Buffer(static_cast<std::size_t>(layers_) * unrest_.layerBytes(),
                                    nullptr, GL_STREAM_READ, "unrest");
+}
+
+void RestMonitor::setBody(int index, bool present, bool released) {
+    const core::Body& of = world_.bodies()[index];
+    const auto calm = static_cast<float>(calmSpeed(world_, of, released)),
+               creep = static_cast<float>(creepSpeed(world_, of, released));
+    Body& body = bodies_[index];
+    body.present = present;
+    body.calmSpeed2 = calm * calm;
+    body.creepSpeed2 = creep * creep;
 }
 
 void RestMonitor::disturb(int body, std::int64_t step) {

@@ -40,8 +40,8 @@ class RestMonitor {
     News look(std::int64_t step);
     /// A body is changed from outside at `step`: what it did before no longer counts.
     void disturb(int body, std::int64_t step);
-    /// Of a body that is not there nothing is said.
-    void setPresent(int body, bool present) { bodies_[body].present = present; }
+    /// Whether a body is there - of others nothing is said -, and whether its anchors have let go.
+    void setBody(int body, bool present, bool released);
     /// How long bodies have been calm, and what it has asked the GPU. Waits for it.
     void archive(core::Archive& archive);
     /// Whether it has been calm for long enough to sleep.
@@ -58,7 +58,7 @@ class RestMonitor {
     };
     struct Body {
         TexelRange chunks;
-        float calmSpeed2, creepSpeed2;  ///< m²/s²
+        float calmSpeed2 = 0, creepSpeed2 = 0;  ///< m²/s²
         int calmSteps = 0;
         std::int64_t disturbed = 0;  ///< step
         bool present = true;

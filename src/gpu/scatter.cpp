@@ -41,6 +41,7 @@ ScatterSolver::ScatterSolver(const World& world, const WorldBuffers& buffers)
     : world_(world),
       buffers_(buffers),
       book_(world),
+      released_(world),
       width_(texelColumns(texelCount(world))),
       height_(texelRows(texelCount(world), width_, "forces and stresses")),
       breakable_(world.breakable()),
@@ -111,8 +112,9 @@ void ScatterSolver::writeInverseMasses() {
     // here on; 0 anchors the node.
     std::vector<vec4> texels(static_cast<std::size_t>(width_) * height_, vec4(0));
     for (int node = 0; node < world_.nodeCount(); ++node)
-        if (!world_.anchored(node) && world_.nodeMass(node) > 0 &&
-            present(world_.bodyOf(node / kCorners)))
+        if (const int body = world_.bodyOf(node / kCorners);
+            (!world_.anchored(node) || book_.released(body)) && world_.nodeMass(node) > 0 &&
+            present(body))
             texels[node].w = static_cast<float>(1 / world_.nodeMass(node));
     gl::bindForWork(GL_TEXTURE_2D, forceTexture_);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, GL_RGBA, GL_FLOAT, texels.data());
@@ -146,11 +148,50 @@ void ScatterSolver::makePrograms() {
     stepInFrameUniform_ = nodeProgram_.uniform("stepInFrame");
 }
 
-State ScatterSolver::state() const {
+State ScatterSolver::outline() const {
     State state;
     state.step = step_;
     state.pushes = events_.schedule().added(step_);
-    state.absent = book_.absent();
+    book_.describe(state);
+    return state;
+}
+
+class ScatterSolver::LateState : public StateCopy {
+  public:
+    explicit LateState(const ScatterSolver& solver)
+        : solver_(solver), nodes_(solver.world_), bonds_(solver.world_) {}
+    void start() override {
+        outline_ = solver_.outline();
+        nodes_.copy(solver_.nodes_[solver_.currentNodes_].nodes);
+        bonds_.copy(solver_.bonds_.bonds());
+        if (solver_.objects_) solver_.objects_->copy(objects_);
+        done_ = gl::Fence::insert();
+        glFlush();
+    }
+    State take() override {
+        done_.wait();
+        State state = outline_;
+        nodes_.read(state);
+        bonds_.read(state);
+        if (solver_.objects_) solver_.objects_->read(objects_, state);
+        return state;
+    }
+
+  private:
+    const ScatterSolver& solver_;
+    State outline_;
+    NodeBuffer nodes_;
+    BondBuffer bonds_;
+    gl::Buffer objects_;
+    gl::Fence done_;
+};
+
+std::unique_ptr<StateCopy> ScatterSolver::makeStateCopy() const {
+    return std::make_unique<LateState>(*this);
+}
+
+State ScatterSolver::state() const {
+    State state = outline();
     nodes_[currentNodes_].nodes.read(state);
     bonds_.bonds().read(state);
     if (objects_) objects_->read(state);
@@ -160,9 +201,9 @@ State ScatterSolver::state() const {
 void ScatterSolver::setState(const State& state) {
     step_ = state.step;
     events_.schedule().setAdded(state.pushes);
-    setAbsent(state.absent);
+    follow(state);
     nodes_[currentNodes_].nodes.write(state);
-    bindWorld(buffers_);
+    bindBodies();
     bonds_.write(state, feedback_);
     if (contact_) contact_->forget();
     if (objects_) objects_->set(state);
@@ -176,20 +217,34 @@ void ScatterSolver::setPresent(int body, bool present) {
     if (book_.present(body) == present) return;
     State now = state();
     world_.setPresent(now, body, present);
-    setAbsent(now.absent);
+    follow(now);
     nodes_[currentNodes_].nodes.write(now);
-    bindWorld(buffers_);
+    bindBodies();
     bonds_.write(now, feedback_);
     if (incidents_) incidents_->known().copy(bonds_.bonds().buffer());
 }
 
-void ScatterSolver::setAbsent(const std::vector<int>& absent) {
-    if (absent == book_.absent()) return;
-    book_.setAbsent(absent);
+void ScatterSolver::releaseAnchors(int body) {
+    if (!book_.releaseAnchors(body)) return;
+    released_.write(book_);
+    writeInverseMasses();
+    bindBodies();
+    bonds_.updateLinks(feedback_);
+}
+
+void ScatterSolver::follow(const State& state) {
+    if (state.absent == book_.absent() && state.released == book_.released()) return;
+    book_.follow(state);
+    released_.write(book_);
     writeInverseMasses();
     const std::vector<TexelRange> there = rangesOf(world_, book_.activeBodies());
     if (contact_) contact_->setCells(there, there);
     if (objects_) objects_->setCells(there);
+}
+
+void ScatterSolver::bindBodies() const {
+    bindWorld(buffers_);
+    released_.bind();
 }
 
 void ScatterSolver::archive(Archive& a) {
@@ -197,7 +252,7 @@ void ScatterSolver::archive(Archive& a) {
     const std::int64_t step = a.step(step_);
     events_.schedule().archive(a, step);
     State now = a.writes() ? state() : world_.initialState();
-    archiveAbsent(a, world_, now.absent);
+    archiveBodies(a, world_, now.absent, now.released);
     archiveCells<float>(a, world_, now);
     a.section("looks");
     const auto dropped = a.whole<std::int64_t>(droppedContacts_, 0, Archive::kLastStep);
@@ -207,9 +262,9 @@ void ScatterSolver::archive(Archive& a) {
         step_ = step;
         droppedContacts_ = dropped;
         contactHaste_ = std::move(haste);
-        setAbsent(now.absent);
+        follow(now);
         nodes_[currentNodes_].nodes.write(now);
-        bindWorld(buffers_);
+        bindBodies();
         gl::bindTexture(kNodes, GL_TEXTURE_BUFFER, nodes_[currentNodes_].nodes.texture());
         bonds_.write(now, feedback_);
     }
@@ -258,7 +313,7 @@ void ScatterSolver::putObject(int object, const ObjectState& state) {
 
 void ScatterSolver::advance(int steps) {
     events_.write(step_, steps);
-    bindWorld(buffers_);
+    bindBodies();
     gl::bindTexture(kEvents, GL_TEXTURE_BUFFER, events_.texture());
     gl::bindTexture(kLinks, GL_TEXTURE_BUFFER, bonds_.links());
     gl::bindTexture(kForces, GL_TEXTURE_2D, forceTexture_);

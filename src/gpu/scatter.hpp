@@ -9,6 +9,7 @@
 #include "gpu/feedback.hpp"
 #include "gpu/incident_pass.hpp"
 #include "gpu/object_pass.hpp"
+#include "gpu/released_bodies.hpp"
 
 namespace sunder::gpu {
 
@@ -29,6 +30,7 @@ class ScatterSolver : public GpuSolver {
     void advance(int steps) override;
     void finish() override;
     core::State state() const override;
+    std::unique_ptr<core::StateCopy> makeStateCopy() const override;
     void setState(const core::State& state) override;
     void archive(core::Archive& archive) override;
     void push(const core::Event& event) override;
@@ -36,6 +38,8 @@ class ScatterSolver : public GpuSolver {
     /// Waits for the GPU: the state goes through the CPU.
     void setPresent(int body, bool present) override;
     bool present(int body) const override { return book_.present(body); }
+    void releaseAnchors(int body) override;
+    bool released(int body) const override { return book_.released(body); }
     StateView view() override;
     void setIncidents(core::IncidentRing* ring) override;
     /// In the searches that finish() came upon.
@@ -49,12 +53,17 @@ class ScatterSolver : public GpuSolver {
         gl::VertexArray attributes;
     };
 
+    /// What a state has beside the numbers of cells and objects.
+    core::State outline() const;
+    class LateState;
     void makeElementBuffer();
     void makeTargets();
     void makePrograms();
-    /// They touch nothing, and their nodes are as if they were anchored.
-    void setAbsent(const std::vector<int>& absent);
+    /// What a state says of bodies as wholes: those that are not there touch nothing, and their
+    /// nodes are as if they were anchored.
+    void follow(const core::State& state);
     void writeInverseMasses();
+    void bindBodies() const;
     void drawForces(const gl::Program& program, const gl::VertexArray& attributes, int count);
     void updateElements(bool fracture);
     void addContacts();
@@ -67,7 +76,8 @@ class ScatterSolver : public GpuSolver {
     const WorldBuffers& buffers_;
     std::int64_t step_ = 0;
     core::BodyBook book_;  ///< all of them are held, and none sleeps
-    int width_, height_;   ///< columns and rows of the float textures
+    ReleasedBodies released_;
+    int width_, height_;  ///< columns and rows of the float textures
 
     bool breakable_;
     Feedback feedback_;

@@ -56,7 +56,8 @@ class NodeBuffer {
     /// RGBA32F, 2 texels per node.
     const gl::Texture& texture() const { return texture_; }
     void write(const core::State&);
-    void read(core::State&) const;  ///< waits for the GPU
+    void read(core::State&) const;                                     ///< waits for the GPU
+    void copy(const NodeBuffer& from) { buffer_.copy(from.buffer_); }  ///< within the GPU
 
   private:
     std::vector<float> restHeights_;  ///< m, per node; they travel with every record
@@ -73,7 +74,8 @@ class BondBuffer {
     /// RGBA32F, 2 texels per cell.
     const gl::Texture& texture() const { return texture_; }
     void write(const core::State&);
-    void read(core::State&) const;  ///< waits for the GPU
+    void read(core::State&) const;                                     ///< waits for the GPU
+    void copy(const BondBuffer& from) { buffer_.copy(from.buffer_); }  ///< within the GPU
 
   private:
     const core::World& world_;

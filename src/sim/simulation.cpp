@@ -20,7 +20,9 @@ Simulation::Simulation(std::shared_ptr<const Layout> layout, const SolverInfo& i
 
 void Simulation::adopt(MadeSolver made, const SolverInfo& info) {
     if (findsIncidents_) made.solver->setIncidents(&incidents_);
+    late_ = {};
     made_ = std::move(made);
+    late_.setSolver(*made_.solver);
     info_ = &info;
     state_.reset();
 }
@@ -29,6 +31,32 @@ void Simulation::setSolver(const SolverInfo& info) {
     MadeSolver next = info.make(*layout_, threads_);
     next.solver->setState(state());
     adopt(std::move(next), info);
+}
+
+void Simulation::extend(std::shared_ptr<const Layout> layout) {
+    finish();
+    State larger = layout->world().initialState();
+    const State& now = state();
+    const auto first = [](const auto& from, auto& to) {
+        std::copy(from.begin(), from.end(), to.begin());
+    };
+    first(now.displacement, larger.displacement);
+    first(now.velocity, larger.velocity);
+    first(now.damage, larger.damage);
+    first(now.slow, larger.slow);
+    first(now.slowStress, larger.slowStress);
+    first(now.objects, larger.objects);
+    larger.step = now.step;
+    larger.pushes = now.pushes;
+    larger.released = now.released;
+    const auto bodies = static_cast<int>(world().bodies().size());
+    std::erase_if(larger.absent, [&](int body) { return body < bodies; });
+    larger.absent.insert(larger.absent.begin(), now.absent.begin(), now.absent.end());
+    MadeSolver made = info_->make(*layout, threads_);
+    made.solver->setState(larger);
+    adopt(std::move(made), *info_);
+    layout_ = std::move(layout);
+    start_.reset();
 }
 
 const cpu::Start& Simulation::start(const cpu::SettleProgress& progress) {
@@ -45,6 +73,7 @@ void Simulation::setState(const State& state) {
     step_ = state.step;
     changes_.clear();
     state_.reset();
+    late_.forget();
 }
 
 std::vector<std::byte> Simulation::saveState() {
@@ -54,6 +83,7 @@ std::vector<std::byte> Simulation::saveState() {
 void Simulation::restoreState(std::span<const std::byte> bytes) {
     step_ = core::restoreState(world(), *made_.solver, bytes, changes_);
     state_.reset();
+    late_.forget();
 }
 
 const State& Simulation::state() {
@@ -61,12 +91,24 @@ const State& Simulation::state() {
     return *state_;
 }
 
+const State& Simulation::lateState() {
+    return late_.present() ? state() : late_.look();
+}
+
+void Simulation::finish() {
+    made_.solver->finish();
+    late_.finished();
+}
+
 void Simulation::push(const EventDescription& event) {
     EventDescription pushed = event;
     // What is not there yet is pushed once it is.
     if (comes(event.body))
         pushed.time += static_cast<double>(nextSearch() - step_) * world().step();
-    made_.solver->push(world().makeEvent(pushed, time()));
+    const bool released = event.body >= 0 &&
+                          event.body < static_cast<int>(world().bodies().size()) &&
+                          this->released(event.body);
+    made_.solver->push(world().makeEvent(pushed, time(), released));
     state_.reset();
 }
 
@@ -79,14 +121,38 @@ void Simulation::putObject(int object, const ObjectState& state) {
     state_.reset();
 }
 
-void Simulation::setPresent(int body, bool present) {
+void Simulation::checkBody(int body) const {
     const auto count = static_cast<int>(world().bodies().size());
-    if (body < 0 || body >= count)
-        throw InputError("there is no body " + std::to_string(body) + "; the world has " +
-                         std::to_string(count));
+    if (body >= 0 && body < count) return;
+    throw InputError("there is no body " + std::to_string(body) + "; the world has " +
+                     std::to_string(count));
+}
+
+bool Simulation::released(int body) const {
+    const PresenceChange* last = lastChange(body);
+    return last ? last->released : made_.solver->released(body);
+}
+
+void Simulation::releaseAnchors(int body) {
+    checkBody(body);
+    const auto own = std::find_if(
+        changes_.begin(), changes_.end(),
+        [&](const PresenceChange& change) { return change.body == body && change.present; });
+    if (own != changes_.end())
+        own->released = true;
+    else
+        made_.solver->releaseAnchors(body);
+    state_.reset();
+}
+
+void Simulation::setPresent(int body, bool present) {
+    checkBody(body);
     if (present == this->present(body)) return;
     state_.reset();
-    if (nextSearch() == step_) return made_.solver->setPresent(body, present);
+    if (nextSearch() == step_) {
+        late_.forget();
+        return made_.solver->setPresent(body, present);
+    }
     // What was to come does not, and nothing else is left to do if it was not there before.
     if (!present && comes(body))
         std::erase_if(changes_, [&](const PresenceChange& change) {
@@ -128,16 +194,21 @@ bool Simulation::atRest() const {
 }
 
 void Simulation::advance(int steps) {
+    if (steps < 1) return;
     if (!changes_.empty() && step_ + steps >= nextSearch()) {
         const auto first = static_cast<int>(nextSearch() - step_);
         advanceSolver(first);
         steps -= first;
-        for (const PresenceChange& change : changes_)
+        for (const PresenceChange& change : changes_) {
             made_.solver->setPresent(change.body, change.present);
+            if (change.released) made_.solver->releaseAnchors(change.body);
+        }
         changes_.clear();
         state_.reset();
+        late_.forget();
     }
     advanceSolver(steps);
+    late_.advanced();
 }
 
 void Simulation::advanceSolver(int steps) {

@@ -8,6 +8,7 @@
 #include "core/incident.hpp"
 #include "core/saved_state.hpp"
 #include "cpu/settle.hpp"
+#include "sim/late_states.hpp"
 #include "sim/layout.hpp"
 #include "sim/solvers.hpp"
 
@@ -34,6 +35,11 @@ class Simulation {
 
     /// How the world begins, found when it is first asked for. That may take seconds.
     const cpu::Start& start(const cpu::SettleProgress& progress = {});
+    /// Goes on in a larger world, whose materials, bodies and objects begin with those of this one:
+    /// what is new begins as described. Waits for a GPU; everything wakes, and what may touch is
+    /// searched for anew. Throws InputError where the device has no room, and then nothing has
+    /// changed.
+    void extend(std::shared_ptr<const Layout>);
     /// Back to start().
     void restart();
     /// Goes on from a state of this world, or of one with the same cells. What setPresent() still
@@ -49,6 +55,11 @@ class Simulation {
     void restoreState(std::span<const std::byte> bytes);
     /// The last state, fetched at most once until it changes. Waits for a GPU.
     const core::State& state();
+    /// A state to look at in every frame without waiting: of a GPU that of LateStates::kLateness
+    /// calls of advance() ago, or the last one after finish(); of a CPU the last one. Which one it
+    /// is depends on the calls alone. It waits where it was not called for LateStates::kPatience
+    /// calls of advance(), or a body came or went since, or the state was set.
+    const core::State& lateState();
 
     std::int64_t step() const { return step_; }
     double time() const { return static_cast<double>(step_) * world().step(); }  ///< s
@@ -68,6 +79,11 @@ class Simulation {
     /// what touches no such body keeps its bits. A push that names a body on its way begins with
     /// it. Throws InputError for an index that is none.
     void setPresent(int body, bool present);
+    /// Lets go of a body's anchors at once, or as it comes where it is on its way. Throws
+    /// InputError for an index that is none.
+    void releaseAnchors(int body);
+    /// Whether they have let go, or will as it comes.
+    bool released(int body) const;
     /// Whether it is there, or will be by what setPresent() was told last.
     bool present(int body) const;
 
@@ -77,7 +93,7 @@ class Simulation {
     /// Whole substeps. May return before a GPU is done.
     void advance(int steps);
     /// Waits for it.
-    void finish() { made_.solver->finish(); }
+    void finish();
     /// What was found since the last time, oldest first. GPU solvers find things two looks late,
     /// all of them in finish().
     std::vector<core::Incident> takeIncidents() { return incidents_.take(); }
@@ -92,7 +108,8 @@ class Simulation {
     void adopt(MadeSolver, const SolverInfo&);
     /// What the solver is told of this body last; null: nothing.
     const core::PresenceChange* lastChange(int body) const;
-    bool comes(int body) const;  ///< at nextSearch()
+    void checkBody(int body) const;  ///< throws InputError
+    bool comes(int body) const;      ///< at nextSearch()
     /// From this step on the first that is divisible by kContactInterval.
     std::int64_t nextSearch() const;
     void advanceSolver(int steps);
@@ -105,6 +122,7 @@ class Simulation {
     MadeSolver made_;
     std::int64_t step_ = 0;
     std::optional<core::State> state_;
+    LateStates late_;
     std::optional<cpu::Start> start_;
     std::vector<core::PresenceChange> changes_;  ///< at nextSearch()
 };

@@ -239,6 +239,10 @@ double sunder_world_time(const sunder_world* world) {
     return world->world.time();
 }
 
+double sunder_world_look_time(const sunder_world* world) {
+    return world->world.lookTime();
+}
+
 sunder_status sunder_world_push(sunder_world* world, const sunder_push* push) {
     return run({world, push}, [&] {
         return world->world.push({push->body, vec3(push->at), push->radius, vec3(push->velocity),
@@ -273,6 +277,14 @@ sunder_status sunder_world_add_body(sunder_world* world, int body) {
 
 sunder_status sunder_world_remove_body(sunder_world* world, int body) {
     return run({world}, [&] { return world->world.removeBody(body); });
+}
+
+sunder_status sunder_world_release_anchors(sunder_world* world, int body) {
+    return run({world}, [&] { return world->world.releaseAnchors(body); });
+}
+
+sunder_status sunder_world_extend(sunder_world* world, const sunder_desc* desc) {
+    return run({world, desc}, [&] { return world->world.extend(desc->desc); });
 }
 
 sunder_status sunder_world_save(sunder_world* world, const void** bytes, size_t* size) {

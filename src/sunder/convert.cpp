@@ -1,6 +1,8 @@
 #include "sunder/convert.hpp"
 
 #include <cmath>
+#include <concepts>
+#include <type_traits>
 
 namespace sunder {
 
@@ -149,6 +151,61 @@ Push pushOf(const core::EventDescription& event, const core::WorldDescription& w
     return push;
 }
 
+template <class Value>
+void set(Value& to, const Value& from) {
+    to = from;
+}
+void set(core::Vec3& to, const Vec3& from) {
+    to = toCore(from);
+}
+void set(Vec3& to, const core::Vec3& from) {
+    to = fromCore(from);
+}
+template <class To, class From>
+requires std::is_enum_v<To> && std::is_enum_v<From> &&
+    (!std::same_as<To, From>)void set(To& to, From from) {
+    to = same<To>(from);
+}
+
+/// All fields of a material, either way.
+template <class From, class To>
+void copyFields(const From& from, To& to) {
+    set(to.name, from.name);
+    set(to.youngModulus, from.youngModulus);
+    set(to.poissonRatio, from.poissonRatio);
+    set(to.density, from.density);
+    set(to.damping, from.damping);
+    set(to.gravity, from.gravity);
+    set(to.law, from.law);
+    set(to.fracture, from.fracture);
+    set(to.maxStress, from.maxStress);
+    set(to.strength, from.strength);
+    set(to.boundaryStrength, from.boundaryStrength);
+    set(to.damageLength, from.damageLength);
+    set(to.shearWeight, from.shearWeight);
+    set(to.internalFriction, from.internalFriction);
+    set(to.spread, from.spread);
+    set(to.noiseLength, from.noiseLength);
+    set(to.noiseAmplitude, from.noiseAmplitude);
+    set(to.clusters, from.clusters);
+    set(to.clusterSize, from.clusterSize);
+    set(to.friction, from.friction);
+    set(to.restitution, from.restitution);
+    set(to.avgDisplaySectionWidth, from.avgDisplaySectionWidth);
+    set(to.avgDisplaySectionHeight, from.avgDisplaySectionHeight);
+    set(to.randDisplaySectionWidth, from.randDisplaySectionWidth);
+    set(to.randDisplaySectionHeight, from.randDisplaySectionHeight);
+    set(to.horizEdgeFrequency, from.horizEdgeFrequency);
+    set(to.horizEdgeAmplitude, from.horizEdgeAmplitude);
+    set(to.vertEdgeFrequency, from.vertEdgeFrequency);
+    set(to.vertEdgeAmplitude, from.vertEdgeAmplitude);
+    set(to.jointWidth, from.jointWidth);
+    set(to.surface, from.surface);
+    set(to.colour, from.colour);
+    set(to.insideColour, from.insideColour);
+    set(to.transparency, from.transparency);
+}
+
 }  // namespace
 
 Eigen::Quaterniond toCore(const Quat& q, const char* what) {
@@ -169,79 +226,13 @@ core::Material toCore(const Material& m) {
     checkEnumeration(m.clusters, ClusterKind::Planks, what + "clusters");
     checkEnumeration(m.surface, SurfaceKind::Glass, what + "surface");
     core::Material c;
-    c.name = m.name;
-    c.youngModulus = m.youngModulus;
-    c.poissonRatio = m.poissonRatio;
-    c.density = m.density;
-    c.damping = m.damping;
-    c.gravity = m.gravity;
-    c.law = same<core::ConstitutiveLaw>(m.law);
-    c.fracture = same<core::FractureMode>(m.fracture);
-    c.maxStress = m.maxStress;
-    c.strength = toCore(m.strength);
-    c.boundaryStrength = toCore(m.boundaryStrength);
-    c.damageLength = m.damageLength;
-    c.shearWeight = m.shearWeight;
-    c.internalFriction = m.internalFriction;
-    c.spread = m.spread;
-    c.noiseLength = m.noiseLength;
-    c.noiseAmplitude = m.noiseAmplitude;
-    c.clusters = same<core::ClusterKind>(m.clusters);
-    c.clusterSize = toCore(m.clusterSize);
-    c.friction = m.friction;
-    c.restitution = m.restitution;
-    c.avgDisplaySectionWidth = m.avgDisplaySectionWidth;
-    c.avgDisplaySectionHeight = m.avgDisplaySectionHeight;
-    c.randDisplaySectionWidth = m.randDisplaySectionWidth;
-    c.randDisplaySectionHeight = m.randDisplaySectionHeight;
-    c.horizEdgeFrequency = m.horizEdgeFrequency;
-    c.horizEdgeAmplitude = m.horizEdgeAmplitude;
-    c.vertEdgeFrequency = m.vertEdgeFrequency;
-    c.vertEdgeAmplitude = m.vertEdgeAmplitude;
-    c.jointWidth = m.jointWidth;
-    c.surface = same<core::SurfaceKind>(m.surface);
-    c.colour = toCore(m.colour);
-    c.insideColour = toCore(m.insideColour);
-    c.transparency = m.transparency;
+    copyFields(m, c);
     return c;
 }
 
 Material fromCore(const core::Material& c) {
     Material m;
-    m.name = c.name;
-    m.youngModulus = c.youngModulus;
-    m.poissonRatio = c.poissonRatio;
-    m.density = c.density;
-    m.damping = c.damping;
-    m.gravity = c.gravity;
-    m.law = same<ConstitutiveLaw>(c.law);
-    m.fracture = same<FractureMode>(c.fracture);
-    m.maxStress = c.maxStress;
-    m.strength = fromCore(c.strength);
-    m.boundaryStrength = fromCore(c.boundaryStrength);
-    m.damageLength = c.damageLength;
-    m.shearWeight = c.shearWeight;
-    m.internalFriction = c.internalFriction;
-    m.spread = c.spread;
-    m.noiseLength = c.noiseLength;
-    m.noiseAmplitude = c.noiseAmplitude;
-    m.clusters = same<ClusterKind>(c.clusters);
-    m.clusterSize = fromCore(c.clusterSize);
-    m.friction = c.friction;
-    m.restitution = c.restitution;
-    m.avgDisplaySectionWidth = c.avgDisplaySectionWidth;
-    m.avgDisplaySectionHeight = c.avgDisplaySectionHeight;
-    m.randDisplaySectionWidth = c.randDisplaySectionWidth;
-    m.randDisplaySectionHeight = c.randDisplaySectionHeight;
-    m.horizEdgeFrequency = c.horizEdgeFrequency;
-    m.horizEdgeAmplitude = c.horizEdgeAmplitude;
-    m.vertEdgeFrequency = c.vertEdgeFrequency;
-    m.vertEdgeAmplitude = c.vertEdgeAmplitude;
-    m.jointWidth = c.jointWidth;
-    m.surface = same<SurfaceKind>(c.surface);
-    m.colour = fromCore(c.colour);
-    m.insideColour = fromCore(c.insideColour);
-    m.transparency = c.transparency;
+    copyFields(c, m);
     return m;
 }
 

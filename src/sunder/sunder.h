@@ -181,6 +181,8 @@ SUNDER_API sunder_status sunder_world_step(sunder_world* world, double seconds);
 SUNDER_API sunder_status sunder_world_finish(sunder_world* world);
 /* s, since the world began. */
 SUNDER_API double sunder_world_time(const sunder_world* world);
+/* s: of the state that rays, pieces and broken bonds are told of; late on a GPU. */
+SUNDER_API double sunder_world_look_time(const sunder_world* world);
 /* Pushes. */
 SUNDER_API sunder_status sunder_world_push(sunder_world* world, const sunder_push* push);
 /* Throws an object. Three numbers each; `spin` may be null. */
@@ -198,6 +200,10 @@ SUNDER_API sunder_status sunder_world_remove_object(sunder_world* world, int obj
 SUNDER_API sunder_status sunder_world_add_body(sunder_world* world, int body);
 /* Takes a body away, and all its pieces, until it is added again. */
 SUNDER_API sunder_status sunder_world_remove_body(sunder_world* world, int body);
+/* Lets go of a body's anchors. */
+SUNDER_API sunder_status sunder_world_release_anchors(sunder_world* world, int body);
+/* Makes the world larger: what `desc` has beyond it at the ends of its lists. */
+SUNDER_API sunder_status sunder_world_extend(sunder_world* world, const sunder_desc* desc);
 /* All of it as bytes; `*bytes` is valid until the next call of this function with this world. */
 SUNDER_API sunder_status sunder_world_save(sunder_world* world, const void** bytes, size_t* size);
 /* Goes on from there. */

@@ -348,6 +348,20 @@ class SUNDER_API World {
     /// or object meets it, nothing draws it, and what lay on it falls. With the solver `scatter` it
     /// waits for the GPU. Refused: no such body, or it is not there.
     Result<void> removeBody(int body);
+    /// Lets go of a body's anchors (BodyDesc::anchors): from now on nothing holds it but what it
+    /// rests on. Nothing is read back, and nothing waits. They hold anew where it is taken away and
+    /// added again. Refused: no such body, it is not there, or it has no anchors.
+    Result<void> releaseAnchors(int body);
+    /// Makes the world larger, where no room was kept (BodyDesc::present): it gets what
+    /// `description` has beyond it, the materials, bodies and objects at the ends of its lists; at
+    /// nothing else of it is looked. Indices stay what they are. New bodies begin as with
+    /// addBody(), those that are not `present` later. It takes as long as create() without
+    /// `settle` (notes() tell), waits for a GPU, and needs room for both worlds meanwhile.
+    /// Everything wakes, so bits differ from those of a world that had the room from the start, and
+    /// states that were saved before fit no longer. A Surface follows with its next update(): its
+    /// names, ranges and numbers are others then. Fails, and nothing has changed, as create() does,
+    /// or where the description has less than the world.
+    Result<void> extend(const WorldDesc& description);
 
     // --- Going back ---
 
@@ -368,17 +382,20 @@ class SUNDER_API World {
     std::span<const Incident> incidents();
     /// How many were lost because nobody took them in time, or a GPU had no room for them.
     std::int64_t droppedIncidents() const;
-    /// What the ray meets first, of bodies as they are deformed and objects. `direction` of any
-    /// length but zero. Nothing: it meets nothing, or not finite. On a GPU the first call after a
-    /// step waits for it and reads the state.
+    /// s: of the state that castRay(), pieces(), object() and brokenBonds() tell of. On the CPU,
+    /// and after finish(), that is time(). On a GPU they look at the state of two calls of step()
+    /// ago, which is copied as they go, so that nothing waits; which one it is depends on the calls
+    /// alone. They do wait where none of them was called for 60 steps, or where a body came or
+    /// went, or a state was restored, since the last one. NaN: the device has failed.
+    double lookTime() const;
+    /// What the ray meets first, of bodies as they are deformed and objects, at lookTime().
+    /// `direction` of any length but zero. Nothing: it meets nothing, or not finite.
     std::optional<RayHit> castRay(Vec3 origin, Vec3 direction) const;
-    /// What hangs together, by body. On a GPU the first call after a step waits for it and reads
-    /// the state.
+    /// What hangs together, by body, at lookTime().
     Result<std::vector<Piece>> pieces() const;
-    /// Where an object is. On a GPU the first call after a step waits for it and reads the state.
+    /// Where an object is, at lookTime().
     Result<ObjectState> object(int object) const;
-    /// How many bonds have broken. On a GPU the first call after a step waits for it and reads the
-    /// state.
+    /// How many bonds have broken, at lookTime().
     Result<int> brokenBonds() const;
     /// A fingerprint of the state, to the bit: for tests, and to find where two runs part. On a GPU
     /// it waits and reads the state.

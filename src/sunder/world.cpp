@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "core/diagnostics.hpp"
 #include "core/fnv.hpp"
@@ -86,8 +88,7 @@ World::Impl::Impl(const WorldDesc& description, const WorldOptions& options, sim
         backend ? backend->findSolver(options.solver) : findCpuSolver(options.solver);
     core::WorldDescription inner = toCore(description);
     const auto stay = enter();
-    layout = backend ? backend->layOut(std::move(inner))
-                     : std::make_shared<const sim::Layout>(std::move(inner));
+    layout = layOut(std::move(inner));
     simulation.emplace(layout, info, threads, static_cast<std::size_t>(options.incidents));
     solver = info.name;
     startNotes = core::limitNotes(world());
@@ -98,6 +99,37 @@ World::Impl::Impl(const WorldDesc& description, const WorldOptions& options, sim
         simulation->restart();
     }
     if (backend) backend->check();
+}
+
+std::shared_ptr<const sim::Layout> World::Impl::layOut(core::WorldDescription inner) const {
+    return backend ? backend->layOut(std::move(inner))
+                   : std::make_shared<const sim::Layout>(std::move(inner));
+}
+
+void World::Impl::extend(const WorldDesc& description) {
+    const auto start = std::chrono::steady_clock::now();
+    if (description.missing) throw core::InputError(description.missing->message);
+    core::WorldDescription larger = world().description();
+    const core::WorldDescription given = toCore(description);
+    const auto append = [](const auto& from, auto& to, const char* what) {
+        if (from.size() < to.size())
+            throw core::InputError("extend: the description has " + std::to_string(from.size()) +
+                                   " " + what + ", the world " + std::to_string(to.size()) +
+                                   "; it takes the world's own with more at the ends");
+        to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(to.size()), from.end());
+    };
+    append(given.materials, larger.materials, "materials");
+    append(given.bodies, larger.bodies, "bodies");
+    append(given.objects, larger.objects, "objects");
+    larger.contact = larger.contact || !larger.objects.empty();
+    std::shared_ptr<const sim::Layout> next = layOut(std::move(larger));
+    simulation->extend(next);
+    layout = std::move(next);
+    picker.reset();
+    mesh.reset();
+    startNotes = core::limitNotes(world());
+    ++growths;
+    growthSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 World::Impl::~Impl() {
@@ -113,11 +145,15 @@ void World::Impl::checkObject(int object, const char* what) const {
                            "; the world has " + std::to_string(count));
 }
 
-Result<void> World::Impl::setPresent(int body, bool present, const char* what) {
+void World::Impl::checkBody(int body, const char* what) const {
     const auto count = static_cast<int>(world().bodies().size());
-    if (body < 0 || body >= count)
-        throw core::InputError(std::string(what) + ": there is no body " + std::to_string(body) +
-                               "; the world has " + std::to_string(count));
+    if (body >= 0 && body < count) return;
+    throw core::InputError(std::string(what) + ": there is no body " + std::to_string(body) +
+                           "; the world has " + std::to_string(count));
+}
+
+Result<void> World::Impl::setPresent(int body, bool present, const char* what) {
+    checkBody(body, what);
     if (simulation->present(body) == present)
         throw core::InputError(std::string(what) + ": body " + std::to_string(body) +
                                (present ? " is there already" : " is not there"));
@@ -247,6 +283,30 @@ Result<void> World::removeBody(int body) {
     return impl_->within([&] { return impl_->setPresent(body, false, "removeBody"); });
 }
 
+Result<void> World::releaseAnchors(int body) {
+    Impl& w = *impl_;
+    return w.within([&]() -> Result<void> {
+        w.checkBody(body, "releaseAnchors");
+        if (!w.simulation->present(body))
+            throw core::InputError("releaseAnchors: body " + std::to_string(body) +
+                                   " is not there");
+        if (w.world().description().bodies[body].anchors.empty())
+            throw core::InputError("releaseAnchors: body " + std::to_string(body) +
+                                   " has no anchors");
+        w.simulation->releaseAnchors(body);
+        return {};
+    });
+}
+
+Result<void> World::extend(const WorldDesc& description) {
+    Impl& w = *impl_;
+    return w.within([&]() -> Result<void> {
+        w.extend(description);
+        if (w.backend) w.backend->check();
+        return {};
+    });
+}
+
 // --- Going back ---
 
 Result<std::vector<std::byte>> World::saveState() const {
@@ -310,6 +370,16 @@ std::int64_t World::droppedIncidents() const {
     return impl_->simulation->droppedIncidents();
 }
 
+double World::lookTime() const {
+    Impl& w = *impl_;
+    double time = std::numeric_limits<double>::quiet_NaN();
+    (void)w.within([&]() -> Result<void> {
+        time = static_cast<double>(w.simulation->lateState().step) * w.world().step();
+        return {};
+    });
+    return time;
+}
+
 std::optional<RayHit> World::castRay(Vec3 origin, Vec3 direction) const {
     Impl& w = *impl_;
     const core::Vec3 from = toCore(origin), along = toCore(direction);
@@ -322,7 +392,7 @@ std::optional<RayHit> World::castRay(Vec3 origin, Vec3 direction) const {
             w.mesh.emplace(w.world());
             w.picker.emplace(w.world(), *w.mesh);
         }
-        spot = w.picker->pick(w.simulation->state(), from, along.stableNormalized());
+        spot = w.picker->pick(w.simulation->lateState(), from, along.stableNormalized());
         return {};
     });
     if (!spot) return std::nullopt;
@@ -341,7 +411,7 @@ std::optional<RayHit> World::castRay(Vec3 origin, Vec3 direction) const {
 Result<std::vector<Piece>> World::pieces() const {
     Impl& w = *impl_;
     return w.within([&]() -> Result<std::vector<Piece>> {
-        const core::State& state = w.simulation->state();
+        const core::State& state = w.simulation->lateState();
         std::vector<Piece> pieces;
         for (const core::PieceMotion& p :
              core::pieceMotions(w.world(), state, core::findPieces(w.world(), state)))
@@ -355,14 +425,14 @@ Result<ObjectState> World::object(int object) const {
     Impl& w = *impl_;
     return w.within([&]() -> Result<ObjectState> {
         w.checkObject(object, "object");
-        return fromCore(w.simulation->state().objects[object], w.world().objects()[object]);
+        return fromCore(w.simulation->lateState().objects[object], w.world().objects()[object]);
     });
 }
 
 Result<int> World::brokenBonds() const {
     Impl& w = *impl_;
     return w.within(
-        [&]() -> Result<int> { return core::brokenBonds(w.world(), w.simulation->state()); });
+        [&]() -> Result<int> { return core::brokenBonds(w.world(), w.simulation->lateState()); });
 }
 
 Result<std::uint64_t> World::stateHash() const {
@@ -383,6 +453,11 @@ std::string_view World::solver() const {
 std::vector<std::string> World::notes() const {
     Impl& w = *impl_;
     std::vector<std::string> notes = w.startNotes;
+    if (w.growths > 0)
+        notes.push_back("the world was extended " +
+                        (w.growths == 1 ? "once" : std::to_string(w.growths) + " times") +
+                        "; the last time took " +
+                        core::formatNumber(std::round(1e4 * w.growthSeconds) / 10) + " ms");
     (void)w.within([&]() -> Result<void> {
         for (std::string& note : core::lossNotes(w.world(), w.simulation->solver()))
             notes.push_back(std::move(note));

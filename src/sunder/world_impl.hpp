@@ -21,8 +21,13 @@ struct World::Impl {
     }
     /// Throws InputError. `what`: for whom.
     void checkObject(int object, const char* what) const;
+    /// Likewise.
+    void checkBody(int body, const char* what) const;
     /// Throws InputError where that would change nothing. `what`: for whom.
     Result<void> setPresent(int body, bool present, const char* what);
+    std::shared_ptr<const sim::Layout> layOut(core::WorldDescription inner) const;
+    /// Throws InputError, and then nothing has changed.
+    void extend(const WorldDesc& description);
     void finishIncidents(const std::vector<core::Incident>& found);
     /// Runs `work` within a stay. A device that has failed once fails always.
     template <class Work>
@@ -35,6 +40,8 @@ struct World::Impl {
     double rest = 0;  ///< s, that no substep has taken up yet
     std::vector<Incident> incidents;
     std::vector<std::string> startNotes;
+    int growths = 0;               ///< calls of extend() that worked
+    double growthSeconds = 0;      ///< how long the last one took
     std::optional<Error> failure;  ///< for good
     /// Once a ray is cast.
     std::optional<surface::DisplayMesh> mesh;

@@ -322,8 +322,52 @@ class Twins {
                 takeIncidents(input);
                 break;
             default:
+                comeAndGo(input);
+        }
+    }
+
+    /// Bodies that come, go and let go, and worlds that grow.
+    void comeAndGo(Input& input) {
+        const int index = input.index(desc_.bodies.size());
+        switch (input.below(6)) {
+            case 0:
+                both([&](World& w) { return w.addBody(index); },
+                     [&](sunder_world* w) { return sunder_world_add_body(w, index); });
+                break;
+            case 1:
+                gone_ |= both([&](World& w) { return w.removeBody(index); },
+                              [&](sunder_world* w) { return sunder_world_remove_body(w, index); });
+                break;
+            case 2:
+                both([&](World& w) { return w.releaseAnchors(index); },
+                     [&](sunder_world* w) { return sunder_world_release_anchors(w, index); });
+                break;
+            case 3:
+                extend(input);
+                break;
+            default:
                 look(input);
         }
+    }
+
+    void extend(Input& input) {
+        const bool wasWild = input.wild;
+        sunder_desc larger;
+        larger.desc = desc_;
+        if (input.oneIn(8) && !desc_.objects.empty()) larger.desc.objects.pop_back();
+        if (input.oneIn(4)) larger.desc.addMaterial(material(input));
+        if (input.oneIn(2)) larger.desc.addObject(object(input));
+        larger.desc.addBody(body(input, larger.desc.materials.size()));
+        larger.desc.bodies.back().present = input.oneIn(2);
+        if (!small(larger.desc)) return;
+        if (!both([&](World& w) { return w.extend(larger.desc); },
+                  [&](sunder_world* w) { return sunder_world_extend(w, &larger); })) {
+            input.wild = wasWild;
+            return;
+        }
+        desc_ = larger.desc;
+        gone_ |= !desc_.bodies.back().present;
+        saves_.clear();
     }
 
     void look(const Input& input) {
@@ -336,7 +380,8 @@ class Twins {
                                    finite(piece.min) && finite(piece.max)),
                     "pieces are at finite places");
         }
-        promise(cells == first_.size().cells, "every cell belongs to a piece");
+        promise(gone_ ? cells <= first_.size().cells : cells == first_.size().cells,
+                "every cell that is there belongs to a piece");
         promise(sunder_world_pieces(&second_, &number) == SUNDER_OK &&
                     number == static_cast<int>(pieces->size()),
                 "C finds as many pieces");
@@ -501,11 +546,12 @@ class Twins {
         }
     }
 
-    const WorldDesc& desc_;
+    WorldDesc desc_;
     World first_;
     sunder_world second_;
     std::vector<Saved> saves_;
     double left_ = kFewSubsteps;
+    bool gone_ = false;  ///< whether any body may not be there
 };
 
 }  // namespace

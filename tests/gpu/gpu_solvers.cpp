@@ -37,6 +37,9 @@ class Checked : public Solver {
         testContext().check();
     }
     bool present(int body) const override { return solver_.present(body); }
+    void releaseAnchors(int body) override { solver_.releaseAnchors(body); }
+    bool released(int body) const override { return solver_.released(body); }
+    std::unique_ptr<StateCopy> makeStateCopy() const override { return solver_.makeStateCopy(); }
     bool setPassObserver(PassObserver* observer) override {
         return solver_.setPassObserver(observer);
     }

@@ -66,20 +66,13 @@ double heightOf(const World& world, const State& state, int index) {
     return sum / (kCorners * body.cellCount());
 }
 
-/// `auto` gives bodies to whoever was faster: its bits differ from run to run.
-std::vector<SolverUnderTest> exactTouching() {
-    std::vector<SolverUnderTest> result = touchingSolvers();
-    std::erase_if(result, [](const SolverUnderTest& under) { return under.name == "auto"; });
-    return result;
-}
-
 }  // namespace
 
 TEST_CASE("presence: bodies that come and go far away change no bit of others") {
     const World world(breakingWithGuest(false));
     const State initial = world.initialState();
     CHECK(initial.absent == std::vector{2});
-    for (const SolverUnderTest& under : exactTouching()) {
+    for (const SolverUnderTest& under : exactSolvers()) {
         INFO(under.name);
         const auto alone = under.make(world), visited = under.make(world);
         CHECK_FALSE(visited->present(2));
@@ -207,7 +200,7 @@ TEST_CASE("presence: a body that is put beside a sleeper wakes it, and no other 
 TEST_CASE("presence: saved states know which bodies are there, to the bit") {
     const World world(breakingWithGuest(false));
     CHECK(world.fingerprint() != World(breakingWithGuest(true)).fingerprint());
-    for (const SolverUnderTest& under : exactTouching()) {
+    for (const SolverUnderTest& under : exactSolvers()) {
         INFO(under.name);
         const auto solver = under.make(world);
         solver->advance(50);

@@ -53,13 +53,6 @@ std::vector<EventDescription> fragileEvents(double step) {
     return {blast, patch, force, impulse};
 }
 
-/// Those whose runs repeat: `auto` gives bodies to whoever was faster.
-std::vector<SolverUnderTest> repeatable() {
-    std::vector<SolverUnderTest> result = solversUnderTest();
-    std::erase_if(result, [](const SolverUnderTest& under) { return under.name == "auto"; });
-    return result;
-}
-
 EventDescription blastOf(const Vec3& point, double radius, double step) {
     EventDescription blast;
     blast.kind = EventDescription::Kind::Velocity;
@@ -77,7 +70,7 @@ TEST_CASE("what is pushed while time runs breaks as by the same events of the wo
     const World plain(d);
     d.events = fragileEvents(d.step);
     const World planned(d);
-    for (const SolverUnderTest& under : repeatable()) {
+    for (const SolverUnderTest& under : exactSolvers()) {
         INFO(under.name);
         const auto expected = under.make(planned), pushed = under.make(plain);
         std::vector<EventDescription> left = d.events;
@@ -111,7 +104,7 @@ TEST_CASE("an object that is thrown while time runs flies and hits as by a throw
     thrown.spin = {5, 0, 0};
     d.throws = {thrown};
     const World planned(d);
-    for (const SolverUnderTest& under : repeatable()) {
+    for (const SolverUnderTest& under : exactSolvers()) {
         if (!under.contact) continue;
         INFO(under.name);
         const auto expected = under.make(planned), late = under.make(plain);
@@ -132,7 +125,7 @@ TEST_CASE("a state has the pushes that are under way, and goes on with them to t
     d.contact = false;
     d.objects.clear();
     const World world(d);
-    for (const SolverUnderTest& under : repeatable()) {
+    for (const SolverUnderTest& under : exactSolvers()) {
         INFO(under.name);
         const auto first = under.make(world), second = under.make(world);
         for (const EventDescription& event : fragileEvents(d.step))

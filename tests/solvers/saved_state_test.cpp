@@ -19,13 +19,6 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-/// Those that go on to the bit: `auto` gives bodies to whoever was faster.
-std::vector<SolverUnderTest> exactSolvers() {
-    std::vector<SolverUnderTest> result = solversUnderTest();
-    std::erase_if(result, [](const SolverUnderTest& under) { return under.name == "auto"; });
-    return result;
-}
-
 /// Where two states differ first: everything that a solver knows, and not only what State shows.
 /// The checksums would tell less.
 std::ptrdiff_t firstDifference(const Bytes& a, const Bytes& b) {

@@ -33,6 +33,13 @@ inline std::vector<SolverUnderTest> touchingSolvers() {
     return result;
 }
 
+/// Those that have the same bits in every run: `auto` gives bodies to whoever was faster.
+inline std::vector<SolverUnderTest> exactSolvers() {
+    std::vector<SolverUnderTest> result = solversUnderTest();
+    std::erase_if(result, [](const SolverUnderTest& under) { return under.name == "auto"; });
+    return result;
+}
+
 /// Those whose contact is their own, for what takes long: scatter finds and answers contacts in
 /// gather's passes, in five times the time, and auto is cpu or gather. Short tests hold for all.
 inline std::vector<SolverUnderTest> contactSolvers() {

@@ -58,7 +58,9 @@ TEST_CASE("Body book: what is absent or elsewhere is not active, and never sleep
 
     for (const int body : {0, 1, 2}) book.setHeld(body, false);
     CHECK(!book.holdsAny());
-    book.setAbsent({1});
+    State state;
+    state.absent = {1};
+    book.follow(state);
     CHECK(book.absent() == Bodies{1});
 }
 
