@@ -106,17 +106,20 @@ BodyBook::Members BodyBook::settle(const std::function<bool(int body)>& ready,
     return split(settleTouching(sleepers_, world_, status, addBoxes, objects));
 }
 
-void BodyBook::archiveBodies(Archive& archive) {
+std::vector<bool> BodyBook::archiveBodies(Archive& archive) {
     State now;
     describe(now);
     core::archiveBodies(archive, world_, now.absent, now.released);
     if (archive.reads()) follow(now);
+    std::vector<bool> active = held_;
+    for (const int body : now.absent) active[body] = false;
+    return active;
 }
 
-void BodyBook::archiveSleepers(Archive& archive) {
-    sleepers_.archive(archive, [this](int member) {
+void BodyBook::archiveSleepers(Archive& archive, const std::vector<bool>& active) {
+    sleepers_.archive(archive, [&](int member) {
         const int object = member - memberOfObject(world_, 0);
-        return object < 0 ? active(member) : world_.objects()[object].inverseMass > 0;
+        return object < 0 ? active[member] : world_.objects()[object].inverseMass > 0;
     });
 }
 

@@ -68,9 +68,9 @@ class BodyBook {
                    const std::vector<ObjectState>& objects);
 
     /// Which bodies are there, and whose anchors have let go. Nobody sleeps by then, or
-    /// archiveSleepers() follows.
-    void archiveBodies(Archive& archive);
-    void archiveSleepers(Archive& archive);
+    /// archiveSleepers() follows. Which are active by what is archived, for the rest of it.
+    std::vector<bool> archiveBodies(Archive& archive);
+    void archiveSleepers(Archive& archive, const std::vector<bool>& active);
 
   private:
     Members split(const std::vector<int>& members) const;

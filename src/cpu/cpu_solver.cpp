@@ -392,7 +392,7 @@ void CpuSolver::archive(Archive& a) {
     a.section("step");
     const std::int64_t step = a.step(step_);
     events_.archive(a, step);
-    book_.archiveBodies(a);
+    const std::vector<bool> active = book_.archiveBodies(a);
     if (a.reads()) {
         shareOut();
         for (int body = 0; body < bodyCount(); ++body)
@@ -407,15 +407,13 @@ void CpuSolver::archive(Archive& a) {
         step_ = step;
         for (const auto& run : bodies_) run->setAddedPatches(events_.added(step), step);
     }
-    if (runner.contact) archiveTouching(a);
+    if (runner.contact) archiveTouching(a, active);
 }
 
-void CpuSolver::archiveTouching(Archive& a) {
+void CpuSolver::archiveTouching(Archive& a, const std::vector<bool>& active) {
     Runner& runner = *runner_;
-    book_.archiveSleepers(a);
-    std::vector<bool> active;
+    book_.archiveSleepers(a, active);
     for (int body = 0; body < bodyCount(); ++body) {
-        active.push_back(book_.active(body));
         BodyRun& run = *bodies_[body];
         if (!a.reads() || run.asleep() == book_.asleep(body)) continue;
         if (run.asleep())

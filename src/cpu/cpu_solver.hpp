@@ -77,7 +77,8 @@ class CpuSolver : public core::Solver, public core::BodyHost {
     /// What an event pushes before step number `until`; whether anything did wake.
     bool wakePushed(std::int64_t until);
     void startThrows();
-    void archiveTouching(core::Archive& archive);
+    /// active: which bodies are, by what is archived.
+    void archiveTouching(core::Archive& archive, const std::vector<bool>& active);
     /// Wakes a body that comes or goes, and what sleeps on it.
     void wakeAround(int body);
     void setObjects(const core::State& state);

@@ -177,10 +177,10 @@ void GatherSolver::archive(Archive& a) {
     a.section("step");
     const std::int64_t step = a.step(step_);
     events_.schedule().archive(a, step);
-    book_.archiveBodies(a);
+    const std::vector<bool> active = book_.archiveBodies(a);
     if (a.reads()) bookChanged();
     archiveCells(a);
-    book_.archiveSleepers(a);
+    book_.archiveSleepers(a, active);
     monitor_.archive(a);
     archiveLooks(a);
     if (a.reads()) {

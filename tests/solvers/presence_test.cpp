@@ -197,6 +197,25 @@ TEST_CASE("presence: a body that is put beside a sleeper wakes it, and no other 
     }
 }
 
+TEST_CASE("presence: a body that has gone comes back with what touched it") {
+    const World world(standingOn(true));
+    for (const SolverUnderTest& under : exactSolvers()) {
+        INFO(under.name);
+        const auto solver = under.make(world);
+        // Some sleep by then.
+        for (const int steps : {41, 6000}) {
+            solver->advance(steps);
+            const std::vector<std::byte> touching = saveState(world, *solver);
+            for (const int gone : {0, 1}) {
+                solver->setPresent(gone, false);
+                solver->advance(8);
+                restoreState(world, *solver, touching);
+                CHECK(saveState(world, *solver) == touching);
+            }
+        }
+    }
+}
+
 TEST_CASE("presence: saved states know which bodies are there, to the bit") {
     const World world(breakingWithGuest(false));
     CHECK(world.fingerprint() != World(breakingWithGuest(true)).fingerprint());
