@@ -1,6 +1,7 @@
 #include "app/bench_library.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "app/bench_table.hpp"
 #include "app/machine.hpp"
@@ -27,6 +28,22 @@ double milliseconds(const Work& work) {
     return 1000 * watch.seconds();
 }
 
+/// ms, until a world has one more body like its last, far from all others.
+double extendTime(World& world, WorldDesc desc) {
+    std::vector<double> times;
+    for (int i = 0; i < 3; ++i) {
+        BodyDesc more = desc.bodies.back();
+        more.name.clear();
+        more.position.x = 1000 + 100 * i;
+        desc.addBody(more);
+        times.push_back(milliseconds([&] {
+            if (const auto done = world.extend(desc); !done) fail(done.error());
+            if (const auto done = world.finish(); !done) fail(done.error());
+        }));
+    }
+    return median(times);
+}
+
 /// Fills in times, or why there are none.
 void measure(LibraryResult& result, const scene::Scene& scene, const sim_gl::GlLayout& layout,
              gl::Device* device, const BenchLimits& limits) {
@@ -44,9 +61,11 @@ void measure(LibraryResult& result, const scene::Scene& scene, const sim_gl::GlL
             made.solver->finish();
         });
     };
-    const auto byLibrary = [&](int steps) {
+    const auto byLibrary = [&](
+                               int steps, const std::function<void()>& look = [] {}) {
         return milliseconds([&] {
             if (const auto done = world->step(steps * scene.world.step); !done) fail(done.error());
+            look();
             if (const auto done = world->finish(); !done) fail(done.error());
         });
     };
@@ -68,9 +87,14 @@ void measure(LibraryResult& result, const scene::Scene& scene, const sim_gl::GlL
         if (i % 2 == 0) library.push_back(byLibrary(scene.substeps));
         ratios.push_back(library.back() / solver.back());
     }
+    std::vector<double> looks;
+    for (int i = 0; i < result.frames; ++i)
+        looks.push_back(byLibrary(scene.substeps, [&] { world->castRay({0, 1, 10}, {0, 0, -1}); }));
     result.msSolver = median(solver);
     result.msLibrary = median(library);
     result.ratio = median(ratios);
+    result.msLook = median(looks);
+    result.msExtend = extendTime(*world, fromCore(scene.world));
 }
 
 }  // namespace
@@ -99,8 +123,9 @@ std::vector<LibraryResult> measureLibrary(const scene::Scene& scene, const Bench
 }
 
 std::string libraryText(const std::vector<LibraryResult>& results) {
-    std::vector<std::vector<std::string>> rows{
-        {"ms a frame", "by the solver alone", "through the library", "the library adds"}};
+    std::vector<std::vector<std::string>> rows{{"ms a frame", "by the solver alone",
+                                                "through the library", "the library adds",
+                                                "with a ray", "one more body"}};
     std::string skipped;
     for (const LibraryResult& result : results) {
         const std::string label = result.entrant.label();
@@ -108,7 +133,8 @@ std::string libraryText(const std::vector<LibraryResult>& results) {
             skipped += "  " + label + ": " + result.skipped + "\n";
         else
             rows.push_back({label, shortNumber(result.msSolver), shortNumber(result.msLibrary),
-                            shortNumber(100 * (result.ratio - 1)) + " %"});
+                            shortNumber(100 * (result.ratio - 1)) + " %",
+                            shortNumber(result.msLook), shortNumber(result.msExtend)});
     }
     return textTable(rows) + skipped;
 }

@@ -120,6 +120,8 @@ std::string benchJson(const BenchReport& report) {
                            {"ms_solver", result.msSolver},
                            {"ms_library", result.msLibrary},
                            {"ratio", result.ratio},
+                           {"ms_look", result.msLook},
+                           {"ms_extend", result.msExtend},
                            {"frames", result.frames}});
     }
     const ordered_json json = {{"machine", report.processor},

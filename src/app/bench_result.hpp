@@ -64,6 +64,8 @@ struct LibraryResult {
     Entrant entrant;
     int tetrahedra = 0;
     double msSolver = 0, msLibrary = 0;  ///< medians
+    double msLook = 0;                   ///< median, with a ray cast in every frame
+    double msExtend = 0;                 ///< median, for one more body that no room was kept for
     double ratio = 1;                    ///< median of each frame's
     int frames = 0;
     std::string skipped;  ///< why it was not measured; empty: it was

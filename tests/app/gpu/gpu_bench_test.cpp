@@ -76,6 +76,8 @@ TEST_CASE("App: bench writes numbers of every solver it was asked for, and a plo
         throughLibrary.insert(entry.at("solver").get<std::string>());
         CHECK(entry.at("ms_solver").get<double>() > 0);
         CHECK(entry.at("ms_library").get<double>() > 0);
+        CHECK(entry.at("ms_look").get<double>() > 0);
+        CHECK(entry.at("ms_extend").get<double>() > 0);
         CHECK(entry.at("ratio").get<double>() > 0);
         CHECK(entry.at("frames") >= 2);
     }
