@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 
 #include "app/bench_scenes.hpp"
 #include "app/bench_table.hpp"
@@ -56,8 +57,10 @@ DrawingResult measureDrawing(const scene::Scene& scene, const World& world, cons
     result.msDisplay = medianOf(picture, limits);
     settings.mesh = render::DrawnMesh::Simulation;
     result.msSimulation = medianOf(picture, limits);
-    const sim_gl::DeformedMesh mesh(world, buffers);
-    result.msSurface = medianOf([&] { mesh.update(view); }, limits);
+    const sim_gl::DeformedMesh mesh(world, buffers, false);
+    std::vector<int> bodies(world.bodies().size());
+    std::iota(bodies.begin(), bodies.end(), 0);
+    result.msSurface = medianOf([&] { mesh.update(view, bodies); }, limits);
     return result;
 }
 

@@ -87,6 +87,28 @@ void Feedback::run(const gl::Program& program, std::initializer_list<const gl::B
 
 void Feedback::run(const gl::Program& program, const gl::VertexArray& attributes,
                    std::initializer_list<const gl::Buffer*> targets, int count) const {
+    const auto bind = [&] {
+        GLuint index = 0;
+        for (const gl::Buffer* target : targets)
+            glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, index++, target->id());
+    };
+    capture(program, attributes, bind, static_cast<int>(targets.size()), 0, count);
+}
+
+void Feedback::runPart(const gl::Program& program, const gl::VertexArray& attributes,
+                       const gl::Buffer& target, std::size_t stride, int first, int count) const {
+    const auto bytes = [&](int vertices) {
+        return static_cast<GLintptr>(stride) * static_cast<GLintptr>(vertices);
+    };
+    const auto bind = [&] {
+        glBindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, target.id(), bytes(first), bytes(count));
+    };
+    capture(program, attributes, bind, 1, first, count);
+}
+
+template <class Bind>
+void Feedback::capture(const gl::Program& program, const gl::VertexArray& attributes,
+                       const Bind& bind, int targets, int first, int count) const {
     // Nothing is rasterised, but without a complete framebuffer the draw would fail and capture
     // nothing.
     glBindFramebuffer(GL_FRAMEBUFFER, target_.id());
@@ -94,13 +116,12 @@ void Feedback::run(const gl::Program& program, const gl::VertexArray& attributes
     program.use();
     glBindVertexArray(attributes.id());
     gl::beginCaptures(capture_);
-    GLuint index = 0;
-    for (const gl::Buffer* target : targets)
-        glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, index++, target->id());
+    bind();
     glBeginTransformFeedback(GL_POINTS);
-    glDrawArrays(GL_POINTS, 0, count);
+    glDrawArrays(GL_POINTS, first, count);
     glEndTransformFeedback();
-    while (index > 0) glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, --index, 0);
+    for (GLuint index = 0; index < static_cast<GLuint>(targets); ++index)
+        glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, index, 0);
     gl::endCaptures();
     glDisable(GL_RASTERIZER_DISCARD);
 }

@@ -72,8 +72,16 @@ class Feedback {
     /// The same without attributes: the shader fetches by gl_VertexID.
     void run(const gl::Program& program, std::initializer_list<const gl::Buffer*> targets,
              int count) const;
+    /// Of the vertices from number `first` on, each into its place in `target`, `stride` bytes
+    /// apart.
+    void runPart(const gl::Program& program, const gl::VertexArray& attributes,
+                 const gl::Buffer& target, std::size_t stride, int first, int count) const;
 
   private:
+    /// bind: binds the targets' indices.
+    template <class Bind>
+    void capture(const gl::Program& program, const gl::VertexArray& attributes, const Bind& bind,
+                 int targets, int first, int count) const;
     gl::Texture texture_;
     gl::Framebuffer target_;
     gl::TransformFeedback capture_;

@@ -2,7 +2,6 @@
 
 #include "render/shading.hpp"
 #include "render/uniforms.hpp"
-#include "render/wall_state.hpp"
 
 namespace sunder::render {
 namespace {
@@ -37,7 +36,7 @@ gl::ProgramDescription describeCells(CellPass::Output output) {
 CellPass::CellPass(Output output, const gpu::WorldBuffers& buffers,
                    const gl::VertexArray& noAttributes)
     : buffers_(buffers), noAttributes_(noAttributes), program_(describeCells(output)) {
-    prepareWallState(program_);
+    gpu::prepareWallState(program_, kWallUnit);
     Shading::prepare(program_);
 }
 
@@ -48,7 +47,7 @@ const gl::Program& CellPass::begin() const {
 
 void CellPass::draw(const gpu::StateView& state, const glm::mat4& viewProjection) const {
     setUniform(program_, "viewProjection", viewProjection);
-    bindWallState(program_, buffers_, state);
+    gpu::bindWallState(program_, buffers_, state, kWallUnit);
     glBindVertexArray(noAttributes_.id());
     glDrawArrays(GL_POINTS, 0, 6 * buffers_.cellCount());
 }

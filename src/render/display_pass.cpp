@@ -2,7 +2,6 @@
 
 #include "render/shading.hpp"
 #include "render/uniforms.hpp"
-#include "render/wall_state.hpp"
 
 namespace sunder::render {
 namespace {
@@ -76,7 +75,7 @@ void DisplayBuffers::drawVertices() const {
 DisplayPass::DisplayPass(Output output, const gpu::WorldBuffers& buffers,
                          const DisplayBuffers& mesh)
     : buffers_(buffers), mesh_(mesh), program_(describe(output, buffers.turned())) {
-    prepareWallState(program_);
+    gpu::prepareWallState(program_, kWallUnit);
     Shading::prepare(program_);
 }
 
@@ -88,12 +87,12 @@ const gl::Program& DisplayPass::begin() const {
 void DisplayPass::draw(const gpu::StateView& state, const glm::mat4& viewProjection,
                        DisplayBuffers::Part part) const {
     setUniform(program_, "viewProjection", viewProjection);
-    bindWallState(program_, buffers_, state);
+    gpu::bindWallState(program_, buffers_, state, kWallUnit);
     mesh_.draw(part);
 }
 
 void DisplayPass::drawVertices(const gpu::StateView& state) const {
-    bindWallState(program_, buffers_, state);
+    gpu::bindWallState(program_, buffers_, state, kWallUnit);
     mesh_.drawVertices();
 }
 

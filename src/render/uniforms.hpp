@@ -1,7 +1,7 @@
 #pragma once
 #include <glm/glm.hpp>
 
-#include "gl/program.hpp"
+#include "gpu/wall_state.hpp"
 
 namespace sunder::render {
 
@@ -16,12 +16,8 @@ void setUniform(const gl::Program&, const char* name, bool);
 
 /// Texture units of the drawing shaders.
 enum TextureUnit {
-    kCellUnit,
-    kBodyUnit,
-    kBondUnit,
-    kNodeUnit,
-    kRestUnit,
-    kShadowUnit,
+    kWallUnit,  ///< and those after it: gpu/wall_state.hpp
+    kShadowUnit = kWallUnit + gpu::kWallUnits,
     kObjectUnit,
     kPlaceUnit,
     kShadowDepthUnit,

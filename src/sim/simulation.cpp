@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/contact.hpp"
+#include "core/sleep.hpp"
 
 namespace sunder::sim {
 
@@ -16,6 +17,7 @@ Simulation::Simulation(std::shared_ptr<const Layout> layout, const SolverInfo& i
       findsIncidents_(incidents > 0),
       incidents_(std::max<std::size_t>(incidents, 1)) {
     adopt(info.make(*layout_, threads_), info);
+    touchAll();
 }
 
 void Simulation::adopt(MadeSolver made, const SolverInfo& info) {
@@ -31,6 +33,7 @@ void Simulation::setSolver(const SolverInfo& info) {
     MadeSolver next = info.make(*layout_, threads_);
     next.solver->setState(state());
     adopt(std::move(next), info);
+    touchAll();
 }
 
 void Simulation::extend(std::shared_ptr<const Layout> layout) {
@@ -57,6 +60,7 @@ void Simulation::extend(std::shared_ptr<const Layout> layout) {
     adopt(std::move(made), *info_);
     layout_ = std::move(layout);
     start_.reset();
+    touchAll();
 }
 
 const cpu::Start& Simulation::start(const cpu::SettleProgress& progress) {
@@ -74,6 +78,7 @@ void Simulation::setState(const State& state) {
     changes_.clear();
     state_.reset();
     late_.forget();
+    touchAll();
 }
 
 std::vector<std::byte> Simulation::saveState() {
@@ -84,6 +89,7 @@ void Simulation::restoreState(std::span<const std::byte> bytes) {
     step_ = core::restoreState(world(), *made_.solver, bytes, changes_);
     state_.reset();
     late_.forget();
+    touchAll();
 }
 
 const State& Simulation::state() {
@@ -118,6 +124,7 @@ void Simulation::throwObject(const ThrowDescription& thrown) {
 
 void Simulation::putObject(int object, const ObjectState& state) {
     made_.solver->putObject(object, state);
+    ++version_;
     state_.reset();
 }
 
@@ -151,6 +158,7 @@ void Simulation::setPresent(int body, bool present) {
     state_.reset();
     if (nextSearch() == step_) {
         late_.forget();
+        touch(body);
         return made_.solver->setPresent(body, present);
     }
     // What was to come does not, and nothing else is left to do if it was not there before.
@@ -183,10 +191,18 @@ std::int64_t Simulation::nextSearch() const {
     return (step_ + kContactInterval - 1) / kContactInterval * kContactInterval;
 }
 
+bool Simulation::rests(int body) const {
+    return !made_.solver->present(body) || made_.solver->asleep(body);
+}
+
+void Simulation::touchAll() {
+    versions_.assign(world().bodies().size(), ++version_);
+}
+
 bool Simulation::atRest() const {
     if (!changes_.empty()) return false;
     for (int body = 0; body < static_cast<int>(world().bodies().size()); ++body)
-        if (made_.solver->present(body) && !made_.solver->asleep(body)) return false;
+        if (!rests(body)) return false;
     for (int object = 0; object < static_cast<int>(world().objects().size()); ++object)
         if (!world().description().objects[object].fixed && !made_.solver->objectAsleep(object))
             return false;
@@ -202,6 +218,7 @@ void Simulation::advance(int steps) {
         for (const PresenceChange& change : changes_) {
             made_.solver->setPresent(change.body, change.present);
             if (change.released) made_.solver->releaseAnchors(change.body);
+            touch(change.body);
         }
         changes_.clear();
         state_.reset();
@@ -213,9 +230,17 @@ void Simulation::advance(int steps) {
 
 void Simulation::advanceSolver(int steps) {
     if (steps < 1) return;
+    const auto bodies = static_cast<int>(versions_.size());
+    std::vector<bool> rested;
+    for (int body = 0; body < bodies; ++body) rested.push_back(rests(body));
+    if (!atRest()) ++version_;
     made_.solver->advance(steps);
     step_ += steps;
     state_.reset();
+    // What wakes in between is still awake in the end: it takes as long to fall asleep again.
+    const bool brief = steps < sleepSteps(world());
+    for (int body = 0; body < bodies; ++body)
+        if (!(brief && rested[body] && rests(body))) touch(body);
 }
 
 }  // namespace sunder::sim

@@ -87,6 +87,11 @@ class Simulation {
     /// Whether it is there, or will be by what setPresent() was told last.
     bool present(int body) const;
 
+    /// Grows whenever anything that is seen may have changed.
+    std::int64_t version() const { return version_; }
+    /// version() when a body's cells may have changed last: what sleeps does not, nor what is not
+    /// there.
+    std::int64_t version(int body) const { return versions_[body]; }
     /// Whether time changes nothing until something is put in: all bodies that are there and all
     /// objects that can move are known to sleep. Waits for nothing.
     bool atRest() const;
@@ -109,7 +114,10 @@ class Simulation {
     /// What the solver is told of this body last; null: nothing.
     const core::PresenceChange* lastChange(int body) const;
     void checkBody(int body) const;  ///< throws InputError
-    bool comes(int body) const;      ///< at nextSearch()
+    bool rests(int body) const;      ///< or is not there
+    void touch(int body) { versions_[body] = ++version_; }
+    void touchAll();
+    bool comes(int body) const;  ///< at nextSearch()
     /// From this step on the first that is divisible by kContactInterval.
     std::int64_t nextSearch() const;
     void advanceSolver(int steps);
@@ -123,6 +131,8 @@ class Simulation {
     std::int64_t step_ = 0;
     std::optional<core::State> state_;
     LateStates late_;
+    std::int64_t version_ = 0;
+    std::vector<std::int64_t> versions_;  ///< per body
     std::optional<cpu::Start> start_;
     std::vector<core::PresenceChange> changes_;  ///< at nextSearch()
 };

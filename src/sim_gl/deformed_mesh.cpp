@@ -4,6 +4,8 @@
 #include <map>
 #include <tuple>
 
+#include "gpu/wall_state.hpp"
+
 namespace sunder::sim_gl {
 
 using namespace core;
@@ -40,24 +42,30 @@ const void* at(std::size_t offset) {
 
 }  // namespace
 
-DeformedMesh::DeformedMesh(const World& world, const gpu::WorldBuffers& buffers)
+DeformedMesh::DeformedMesh(const World& world, const gpu::WorldBuffers& buffers, bool pieces)
     : buffers_(buffers),
       program_({.vertex = "draw/display.vert",
                 .defines = gpu::withTurned({{"SURFACE", "1"}}, buffers.turned()),
                 .feedback = {"position", "normal", "tangent"}}) {
     const surface::DisplayMesh mesh(world);
-    vertices_ = static_cast<int>(mesh.vertices().size());
+    bodyFirst_.assign(1, 0);
+    for (int vertex = 0; const surface::DisplayVertex& of : mesh.vertices()) {
+        // One body's after another's.
+        bodyFirst_.resize(world.bodyOf(static_cast<int>(of.cell)) + 1, vertex);
+        ++vertex;
+        if (pieces) cellOf_.push_back(of.cell);
+    }
+    bodyFirst_.resize(world.bodies().size() + 1, static_cast<int>(mesh.vertices().size()));
     bound_ = gl::makeBuffer(std::span(mesh.vertices()), GL_STATIC_DRAW, "display mesh");
     const std::vector<RestVertex> rest = restVertices(world, mesh);
     rest_ = gl::makeBuffer(std::span(rest), GL_STATIC_DRAW, "surface at rest");
     deformed_ = gl::Buffer(sizeof(Vertex) * rest.size(), nullptr, GL_DYNAMIC_COPY, "surface");
+    if (pieces)
+        pieces_ = gl::makeBuffer<std::int32_t>(std::vector<std::int32_t>(cellOf_.size()),
+                                               GL_DYNAMIC_DRAW, "pieces");
     makeRanges(world, mesh);
     makeArrays();
-    program_.bindSampler("cells", gpu::kCells);
-    program_.bindSampler("bodies", gpu::kBodies);
-    program_.bindSampler("damage", gpu::kBonds);
-    program_.bindSampler("displacements", gpu::kNodes);
-    program_.bindSampler("rest", gpu::kRest);
+    gpu::prepareWallState(program_, 0);
 }
 
 void DeformedMesh::makeRanges(const World& world, const surface::DisplayMesh& mesh) {
@@ -91,6 +99,7 @@ void DeformedMesh::makeArrays() {
     gpu::floatAttribute(0, 3, sizeof(Bound), offsetof(Bound, rest));
     glEnableVertexAttribArray(1);
     glVertexAttribIPointer(1, 3, GL_UNSIGNED_INT, sizeof(Bound), at(offsetof(Bound, cell)));
+    pieceAttribute();
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
 
     drawnArray_ = gl::makeVertexArray();
@@ -110,21 +119,39 @@ void DeformedMesh::makeArrays() {
         glEnableVertexAttribArray(location);
         glVertexAttribIPointer(location, 1, GL_INT, sizeof(RestVertex), at(offset));
     }
+    pieceAttribute();
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
-void DeformedMesh::update(const gpu::StateView& state) const {
+/// Of the bound vertex array.
+void DeformedMesh::pieceAttribute() const {
+    if (pieces_.size() == 0) return;
+    glBindBuffer(GL_ARRAY_BUFFER, pieces_.id());
+    glEnableVertexAttribArray(kPiece);
+    glVertexAttribIPointer(kPiece, 1, GL_INT, sizeof(std::int32_t), nullptr);
+}
+
+void DeformedMesh::setPieces(const std::vector<int>& ofCell) {
+    std::vector<std::int32_t> pieces;
+    pieces.reserve(cellOf_.size());
+    for (const std::uint32_t cell : cellOf_) pieces.push_back(ofCell[cell]);
+    pieces_.write(0, sizeof(std::int32_t) * pieces.size(), pieces.data());
+}
+
+void DeformedMesh::update(const gpu::StateView& state, const std::vector<int>& bodies) const {
+    if (bodies.empty()) return;
     program_.use();
-    gl::bindTexture(gpu::kCells, GL_TEXTURE_BUFFER, buffers_.cells());
-    gl::bindTexture(gpu::kBodies, GL_TEXTURE_BUFFER, buffers_.bodies());
-    gl::bindTexture(gpu::kRest, GL_TEXTURE_BUFFER, buffers_.rest());
-    gl::bindTexture(gpu::kBonds, GL_TEXTURE_BUFFER, *state.damage);
-    gl::bindTexture(gpu::kNodes, GL_TEXTURE_BUFFER, *state.displacements);
-    glUniform1i(program_.uniform("damageStride"), state.damageStride);
-    glUniform2i(program_.uniform("displacementStrides"), state.cellStride, state.cornerStride);
-    feedback_.run(program_, boundArray_, {&deformed_}, vertices_);
+    gpu::bindWallState(program_, buffers_, state, 0);
+    for (std::size_t i = 0; i < bodies.size();) {
+        Part several = part(bodies[i]);
+        for (++i; i < bodies.size() && bodies[i] == bodies[i - 1] + 1; ++i)
+            several.count += part(bodies[i]).count;
+        if (several.count > 0)
+            feedback_.runPart(program_, boundArray_, deformed_, sizeof(Vertex), several.first,
+                              several.count);
+    }
 }
 
 }  // namespace sunder::sim_gl

@@ -38,34 +38,48 @@ class DeformedMesh {
         kMaterial,
         kBody,
         kCell,
-        kInside
+        kInside,
+        kPiece
     };
 
-    /// Both must outlive it.
-    DeformedMesh(const core::World&, const gpu::WorldBuffers&);
+    /// pieces: whether setPieces() will be called. Both must outlive it.
+    DeformedMesh(const core::World&, const gpu::WorldBuffers&, bool pieces);
 
-    void update(const gpu::StateView&) const;
+    /// Vertices of one body.
+    struct Part {
+        int body, first, count;
+    };
+    Part part(int body) const {
+        return {body, bodyFirst_[body], bodyFirst_[body + 1] - bodyFirst_[body]};
+    }
+    /// Deforms those of these bodies, which ascend.
+    void update(const gpu::StateView&, const std::vector<int>& bodies) const;
+    /// The number of each cell's piece, to be an attribute of its vertices.
+    void setPieces(const std::vector<int>& ofCell);
 
-    int vertices() const { return vertices_; }
+    int vertices() const { return bodyFirst_.back(); }
     const std::vector<Range>& ranges() const { return ranges_; }  ///< opaque ones first
     GLuint vertexArray() const { return drawnArray_.id(); }
     /// What the shader reads, with the same indices.
     GLuint boundArray() const { return boundArray_.id(); }
     GLuint vertexBuffer() const { return deformed_.id(); }
     GLuint restBuffer() const { return rest_.id(); }
+    GLuint pieceBuffer() const { return pieces_.id(); }  ///< 0: none
     GLuint indexBuffer() const { return indices_.id(); }
 
   private:
     void makeRanges(const core::World&, const surface::DisplayMesh&);
     void makeArrays();
+    void pieceAttribute() const;
 
     const gpu::WorldBuffers& buffers_;
-    int vertices_ = 0;
+    std::vector<int> bodyFirst_;         ///< first vertex of each body, and how many there are
+    std::vector<std::uint32_t> cellOf_;  ///< of each vertex, where there are pieces
     std::vector<Range> ranges_;
     gl::Program program_;
     gpu::Feedback feedback_;
     gl::Buffer bound_;  ///< surface::DisplayVertex, which the shader reads
-    gl::Buffer rest_, deformed_, indices_;
+    gl::Buffer rest_, deformed_, indices_, pieces_;
     gl::VertexArray boundArray_, drawnArray_;
 };
 

@@ -5,7 +5,11 @@ namespace sunder::sim_gl {
 gpu::StateView DrawnState::view() {
     if (gpu::GpuSolver* solver = simulation_.gpuSolver()) return solver->view();
     if (!upload_) upload_ = std::make_unique<gpu::StateUpload>(simulation_.world());
-    return upload_->upload(simulation_.state());
+    if (version_ != simulation_.version()) {
+        uploaded_ = upload_->upload(simulation_.state());
+        version_ = simulation_.version();
+    }
+    return uploaded_;
 }
 
 }  // namespace sunder::sim_gl

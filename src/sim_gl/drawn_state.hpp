@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <memory>
 
 #include "gpu/world_buffers.hpp"
@@ -17,6 +18,8 @@ class DrawnState {
   private:
     sim::Simulation& simulation_;
     std::unique_ptr<gpu::StateUpload> upload_;  ///< once it is needed
+    gpu::StateView uploaded_{};
+    std::int64_t version_ = -1;  ///< of the simulation, that was uploaded
 };
 
 }  // namespace sunder::sim_gl

@@ -127,6 +127,20 @@ struct Range {
     const void* offset = nullptr;  ///< Bytes, for glDrawElements.
 };
 
+/// Vertices of one body.
+struct VertexRange {
+    int body = 0;   ///< Index, of WorldDesc::bodies.
+    int first = 0;  ///< Its first vertex.
+    int count = 0;  ///< How many there are.
+};
+
+/// What a Surface has.
+struct SurfaceOptions {
+    /// Whether each vertex knows the number of its piece: Surface::pieceBuffer(). On a GPU the
+    /// state is then copied in every step, as for World::castRay().
+    bool pieces = false;
+};
+
 /// A texture that the text of Surface::vertexShader() reads.
 struct VertexTexture {
     const char* sampler;  ///< The name of its uniform.
@@ -140,7 +154,7 @@ class SUNDER_API Surface {
     /// Makes the mesh and puts it on the GPU; update() must be called before it is drawn. `world`
     /// may be simulated on the CPU; then its state is uploaded by every update(). Both must outlive
     /// this. Where it fails, ok() is false.
-    Surface(Device& device, World& world);
+    Surface(Device& device, World& world, const SurfaceOptions& options = {});
     ~Surface();                                   ///< Before its world.
     Surface(const Surface&) = delete;             ///< It belongs to one world.
     Surface& operator=(const Surface&) = delete;  ///< It belongs to one world.
@@ -150,9 +164,14 @@ class SUNDER_API Surface {
     /// Why it cannot be used.
     const Error& error() const;
 
-    /// Deforms the mesh as the world is now. Reads nothing back and waits for nothing, where the
-    /// world is simulated on the GPU.
+    /// Deforms the mesh as the world is now, as far as it has changed. Reads nothing back and waits
+    /// for nothing, where the world is simulated on the GPU. After World::extend() the mesh is made
+    /// anew: all names, numbers and ranges are others then.
     Result<void> update();
+    /// What the last update() wrote of vertexBuffer(), by body: what sleeps, or is not there, stays
+    /// as it was. For hosts that keep something for each vertex, such as shadows or a hierarchy of
+    /// boxes.
+    std::span<const VertexRange> changed() const;
 
     /// A vertex array of the device's context with all attributes, at the locations that Vertex and
     /// RestVertex name, and the indices. 0: not ok().
@@ -161,6 +180,11 @@ class SUNDER_API Surface {
     unsigned vertexBuffer() const;
     /// RestVertex, one after another. 0: not ok().
     unsigned restBuffer() const;
+    /// With SurfaceOptions::pieces: a 32-bit integer for each vertex, the index in World::pieces()
+    /// of the piece that it belongs to, as of World::lookTime() at the last update(), −1 where its
+    /// body is not there. Location 9 of vertexArray() and sourceArray(), an integer. 0: not ok(),
+    /// or without.
+    unsigned pieceBuffer() const;
     /// Indices, unsigned 32-bit, three a triangle, anticlockwise seen from outside. 0: not ok().
     unsigned indexBuffer() const;
     /// How many vertices there are.

@@ -126,6 +126,19 @@ typedef struct sunder_range {
     size_t offset;   /* Bytes, in the index buffer. */
 } sunder_range;
 
+/* Vertices of one body: sunder::gl::VertexRange. */
+typedef struct sunder_vertex_range {
+    int body;  /* Index. */
+    int first; /* Its first vertex. */
+    int count; /* How many there are. */
+} sunder_vertex_range;
+
+/* What a vertex shader of the host's reads: sunder::gl::VertexTexture. */
+typedef struct sunder_vertex_texture {
+    const char* sampler; /* The name of its uniform. */
+    unsigned texture;    /* Of the target GL_TEXTURE_BUFFER. */
+} sunder_vertex_texture;
+
 /* The version of the library. Any of the pointers may be null. */
 SUNDER_API void sunder_version(int* major, int* minor, int* patch);
 /* Why the last function failed that was called on this thread; valid until the next that fails.
@@ -232,16 +245,37 @@ typedef sunder_gl_function (*sunder_get_proc_address)(const char* name);
 SUNDER_API sunder_device* sunder_device_create(sunder_get_proc_address find, int dirty);
 /* After its worlds and surfaces. Null does nothing. */
 SUNDER_API void sunder_device_destroy(sunder_device* device);
-/* Null where it fails. */
-SUNDER_API sunder_surface* sunder_surface_create(sunder_device* device, sunder_world* world);
+/* `pieces`: whether each vertex knows the number of its piece. Null where it fails. */
+SUNDER_API sunder_surface* sunder_surface_create(sunder_device* device, sunder_world* world,
+                                                 int pieces);
 /* Before its world. Null does nothing. */
 SUNDER_API void sunder_surface_destroy(sunder_surface* surface);
 /* Deforms the mesh as the world is now. */
 SUNDER_API sunder_status sunder_surface_update(sunder_surface* surface);
-/* Names of GL: a vertex array with all attributes and the indices (sunder/gl.hpp). */
+/* Names of GL, for what sunder::gl::Surface says of them (sunder/gl.hpp). */
 SUNDER_API unsigned sunder_surface_vertex_array(const sunder_surface* surface);
-/* How many ranges there are; `*ranges` is valid as long as the surface. */
-SUNDER_API size_t sunder_surface_ranges(const sunder_surface* surface, const sunder_range** ranges);
+/* Likewise: the vertices that sunder_surface_update() writes. */
+SUNDER_API unsigned sunder_surface_vertex_buffer(const sunder_surface* surface);
+/* Likewise: what of them stays the same. */
+SUNDER_API unsigned sunder_surface_rest_buffer(const sunder_surface* surface);
+/* Likewise: the numbers of their pieces, or 0. */
+SUNDER_API unsigned sunder_surface_piece_buffer(const sunder_surface* surface);
+/* Likewise: the indices. */
+SUNDER_API unsigned sunder_surface_index_buffer(const sunder_surface* surface);
+/* Likewise: a vertex array with what a vertex shader of the host's reads. */
+SUNDER_API unsigned sunder_surface_source_array(const sunder_surface* surface);
+/* How many vertices there are. */
+SUNDER_API int sunder_surface_vertices(const sunder_surface* surface);
+/* How many bodies the last update wrote; `*changed` is valid until the next. */
+SUNDER_API size_t sunder_surface_changed(sunder_surface* surface,
+                                         const sunder_vertex_range** changed);
+/* GLSL for a vertex shader of the host's; `*text` is valid until the next call. */
+SUNDER_API sunder_status sunder_surface_vertex_shader(sunder_surface* surface, const char** text);
+/* What its samplers read as the world is now: five. `textures` has room for them. */
+SUNDER_API sunder_status sunder_surface_vertex_textures(sunder_surface* surface,
+                                                        sunder_vertex_texture* textures);
+/* How many ranges there are; `*ranges` is valid until the next call. */
+SUNDER_API size_t sunder_surface_ranges(sunder_surface* surface, const sunder_range** ranges);
 
 #ifdef __cplusplus
 }
