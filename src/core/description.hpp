@@ -48,8 +48,8 @@ struct BodyDescription {
 };
 
 /// Something that pushes a patch of a body for a while: all nodes whose rest position lies within
-/// `radius` of `point` get the same acceleration. Or what a ball holds of all bodies (kEveryBody),
-/// wherever they are by then: a blast.
+/// `radius` of `point` get the same acceleration. Or what a ball holds of all bodies (kEveryBody)
+/// and of objects, wherever they are by then: a blast.
 struct EventDescription {
     enum class Kind {
         Impulse,   ///< vector is the whole momentum given to the patch, N·s

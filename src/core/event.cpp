@@ -34,6 +34,12 @@ bool Event::reaches(const Vec3& low, const Vec3& high) const {
     return (centre - centre.cwiseMax(low).cwiseMin(high)).norm() <= radius;
 }
 
+Vec3 accelerationAt(const Vec3& place, std::span<const Blast> blasts) {
+    Vec3 sum = Vec3::Zero();
+    for (const Blast& blast : blasts) sum += blast.weight * blast.event->accelerationAt(place);
+    return sum;
+}
+
 bool insidePatch(const Event& event, const Eigen::Vector3f& rest) {
     const float x = rest[0] - event.point[0], y = rest[1] - event.point[1],
                 z = rest[2] - event.point[2];
@@ -91,6 +97,21 @@ std::int64_t EventSchedule::nextPush(int body, std::int64_t from) const {
 
 std::int64_t EventSchedule::nextBlast(std::int64_t from) const {
     return next(blasts_, from);
+}
+
+std::vector<Blast> EventSchedule::blastsAt(std::int64_t step) const {
+    std::vector<Blast> result;
+    for (const int index : blasts_)
+        if (const double weight = events_[index].weight(step); weight > 0)
+            result.push_back({&events_[index], weight});
+    return result;
+}
+
+bool EventSchedule::blastWithin(std::int64_t from, std::int64_t to, const Vec3& low,
+                                const Vec3& high) const {
+    return std::any_of(blasts_.begin(), blasts_.end(), [&](int index) {
+        return events_[index].nextStep(from) < to && events_[index].reaches(low, high);
+    });
 }
 
 std::int64_t EventSchedule::next(const std::vector<int>& events, std::int64_t from) const {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/object.hpp"
@@ -10,12 +11,12 @@ namespace sunder::core {
 class Archive;
 class World;
 
-/// An event that pushes what its ball holds of every body.
+/// An event that pushes what its ball holds of every body and of objects.
 inline constexpr int kEveryBody = -1;
 
 /// A push: an acceleration of the nodes in a ball, for a while. An event of one body picks them by
 /// where they are at rest, so that the same patch is pushed to its end, however it moves; one of
-/// every body by where they are in each step.
+/// every body by where they are in each step, and objects as src/cpu/object_push.hpp says.
 struct Event {
     int body = 0;                    ///< index, or kEveryBody
     Eigen::Vector3f point{0, 0, 0};  ///< m, world; single precision so that every solver picks the
@@ -33,7 +34,7 @@ struct Event {
     /// The first step from `from` on that it acts in; the largest number there is where it does in
     /// none.
     std::int64_t nextStep(std::int64_t from) const;
-    /// m/s²: of a node at `place` (m, world), for an event of every body; zero outside the ball.
+    /// m/s²: of what is at `place` (m, world), for an event of every body; zero outside the ball.
     Vec3 accelerationAt(const Vec3& place) const;
     /// Whether the ball reaches into a box, m.
     bool reaches(const Vec3& low, const Vec3& high) const;
@@ -42,6 +43,14 @@ struct Event {
 /// Whether a node is in the patch of an event of one body. The same single-precision operations in
 /// the same order as glsl/physics/events.glsl.
 bool insidePatch(const Event&, const Eigen::Vector3f& rest);
+
+/// An event of every body at work in a step.
+struct Blast {
+    const Event* event;
+    double weight;  ///< Event::weight()
+};
+/// m/s²: of what is at `place` (m, world), by all of them.
+Vec3 accelerationAt(const Vec3& place, std::span<const Blast> blasts);
 
 /// The events that a solver plays: its world's, and those it was given while time ran.
 class EventSchedule {
@@ -74,6 +83,10 @@ class EventSchedule {
     }
     /// The same of events of every body.
     std::int64_t nextBlast(std::int64_t from) const;
+    /// Those at work in a step; valid until another event is added.
+    std::vector<Blast> blastsAt(std::int64_t step) const;
+    /// Whether one reaches into a box, m, within steps from .. to − 1.
+    bool blastWithin(std::int64_t from, std::int64_t to, const Vec3& low, const Vec3& high) const;
 
   private:
     void list(int index);

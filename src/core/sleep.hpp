@@ -10,13 +10,13 @@ namespace sunder::core {
 /// faster than kSleepSpeed cell edges a second (a thousandth of an edge per 1/60 s), no event at
 /// work, no damage growing. What falls freely is past the limit of calmSpeed() within a fifth of
 /// that time, so nothing sleeps at the top of its flight. An object is ready once it has been calm
-/// as long: it rests on something and is slower than kStirringSpeed, or hangs and is slower than
-/// kHangingSpeed, or does not move at all.
+/// as long: no event reaches it, and it rests on something and is slower than kStirringSpeed, or
+/// hangs and is slower than kHangingSpeed, or does not move at all.
 ///
 /// Bodies and objects that touch form an island (core/rest_islands.hpp), which falls asleep only as
 /// a whole, when all of it is ready. Velocities become zero, and from then on it does not change by
-/// a bit and costs nothing. It wakes as a whole, too: for an event on one of its bodies, a cell or
-/// an object that hits one of them, a throw of one of its objects, Solver::setState().
+/// a bit and costs nothing. It wakes as a whole, too: for an event on one of them, a cell or an
+/// object that hits one of them, a throw of one of its objects, Solver::setState().
 inline constexpr double kSleepSpeed = 0.06;  ///< cell edges/s
 inline constexpr double kSleepDelay = 0.5;   ///< s
 

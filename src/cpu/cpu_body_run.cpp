@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <span>
 
 namespace sunder::cpu {
@@ -149,26 +148,17 @@ void BodyRun::gatherPushes(std::int64_t step) {
 }
 
 void BodyRun::gatherBlasts(std::int64_t step) {
-    blasts_.clear();
-    std::optional<Box> box;
-    for (const int index : events_.blasts()) {
-        const Event& event = events_.all()[index];
-        const double weight = event.weight(step);
-        if (weight == 0) continue;
-        if (!box) box = bounds();
-        if (event.reaches(box->low, box->high)) blasts_.push_back({&event, weight});
-    }
+    blasts_ = events_.blastsAt(step);
+    if (blasts_.empty()) return;
+    const Box box = bounds();
+    std::erase_if(blasts_,
+                  [&](const Blast& blast) { return !blast.event->reaches(box.low, box.high); });
 }
 
 bool BodyRun::blastWithin(std::int64_t from, std::int64_t to) const {
-    std::optional<Box> box;
-    for (const int index : events_.blasts()) {
-        const Event& event = events_.all()[index];
-        if (event.nextStep(from) >= to) continue;
-        if (!box) box = bounds();
-        if (event.reaches(box->low, box->high)) return true;
-    }
-    return false;
+    if (events_.nextBlast(from) >= to) return false;
+    const Box box = bounds();
+    return events_.blastWithin(from, to, box.low, box.high);
 }
 
 Box BodyRun::bounds() const {
@@ -219,9 +209,7 @@ void BodyRun::addBlasts(int first, int end) {
         if (rest()[kCorners * place].hasNaN()) continue;
         for (int corner = 0; corner < kCorners; ++corner) {
             if (a.inverseMass[tiled(kCorners, corner, place)] == 0) continue;  // anchored
-            const Vec3 x = positionAt(place, corner);
-            Vec3 sum = Vec3::Zero();
-            for (const Blast& blast : blasts_) sum += blast.weight * blast.event->accelerationAt(x);
+            const Vec3 sum = accelerationAt(positionAt(place, corner), blasts_);
             for (int axis = 0; axis < 3; ++axis)
                 a.velocity[tiled(kNodeComponents, 3 * corner + axis, place)] +=
                     static_cast<float>(share * sum[axis]);

@@ -91,11 +91,6 @@ class BodyRun {
         core::Event event;
         std::vector<std::uint8_t> corners;  ///< per cell, bit per corner
     };
-    /// An event of every body that reaches this one, in the step in progress.
-    struct Blast {
-        const core::Event* event;
-        double weight;
-    };
     struct PartNews {
         float fastest = 0;
         BondNews bonds;
@@ -129,9 +124,9 @@ class BodyRun {
     const core::EventSchedule& events_;
     BodyStorage storage_;
     std::vector<Patch> patches_;
-    std::size_t ofWorld_ = 0;    ///< how many of them are of the world's events
-    std::vector<Push> pushes_;   ///< at work in this step
-    std::vector<Blast> blasts_;  ///< likewise
+    std::size_t ofWorld_ = 0;          ///< how many of them are of the world's events
+    std::vector<Push> pushes_;         ///< at work in this step
+    std::vector<core::Blast> blasts_;  ///< likewise; those that reach it
     mutable std::vector<Eigen::Vector3f> rest_;
     std::vector<PartNews> news_;
     int reach_ = 0;  ///< vectors on either side of one that its nodes' neighbours may lie in

@@ -70,8 +70,15 @@ void CpuSolver::advance(int steps) {
             std::int64_t next = std::min(end, (step_ / kContactInterval + 1) * kContactInterval);
             for (const Throw& thrown : world_.throws())
                 if (thrown.step > step_) next = std::min(next, thrown.step);
+            // What accelerates objects may make a search due at each step.
+            std::vector<Blast> blasts;
+            if (runner.objects) {
+                blasts = events_.blastsAt(step_);
+                next = std::min(next, blasts.empty() ? events_.nextBlast(step_) : step_ + 1);
+            }
             startThrows();
             const bool woke = wakePushed(next);
+            if (!blasts.empty()) runner.objects->accelerate(blasts);
             if (step_ % runner.restInterval == 0) rest();
             if (woke || runner.contact->due() || step_ % kContactInterval == 0 ||
                 (runner.objects && runner.objects->searchDue()))
@@ -279,6 +286,20 @@ bool CpuSolver::wakePushed(std::int64_t until) {
         if (!bodies_[body]->asleep() || !bodies_[body]->pushedWithin(step_, until)) continue;
         wake(memberOfBody(body));
         woke = true;
+    }
+    return wakePushedObjects(until) || woke;
+}
+
+bool CpuSolver::wakePushedObjects(std::int64_t until) {
+    if (events_.nextBlast(step_) >= until) return false;
+    bool woke = false;
+    for (int object = 0; object < static_cast<int>(objectStates().size()); ++object) {
+        if (runner_->objects->restStatus(object) == RestIslands::Status::Apart) continue;
+        const RestBox box = restBoxOf(world_, object, objectStates()[object]);
+        if (!events_.blastWithin(step_, until, box.low, box.high)) continue;
+        woke |= objectAsleep(object);
+        wake(memberOfObject(world_, object));
+        runner_->objects->wake(object);
     }
     return woke;
 }

@@ -76,6 +76,8 @@ class CpuSolver : public core::Solver, public core::BodyHost {
     const std::vector<core::ObjectState>& objectStates() const;
     /// What an event pushes before step number `until`; whether anything did wake.
     bool wakePushed(std::int64_t until);
+    /// Likewise, of objects; none of them falls asleep now.
+    bool wakePushedObjects(std::int64_t until);
     void startThrows();
     /// active: which bodies are, by what is archived.
     void archiveTouching(core::Archive& archive, const std::vector<bool>& active);

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/archive.hpp"
@@ -49,6 +50,9 @@ class Objects {
 
     /// Objects that step number `step` begins with are thrown.
     void startStep(std::int64_t step);
+    /// Gives those that are free to move what blasts add to their motion in the step that begins,
+    /// before anything is found that they touch: they are to meet it as fast as they are then.
+    void accelerate(std::span<const core::Blast> blasts);
     /// Finds the cells that objects may touch within kContactInterval steps, and what disturbs
     /// sleepers. `held`: bodies to look at.
     void search(const Cells& cells, const std::vector<bool>& held);
@@ -113,7 +117,9 @@ class Objects {
     void move(int object, const Impulse& given);
     /// Of a kinematic object.
     void carry(int object);
-    double speed(int object) const;
+    double speed(int object) const { return speedOf(object, states_[object]); }
+    /// m/s, of the farthest point at most.
+    double speedOf(int object, const core::ObjectState& state) const;
     bool moves(int object) const { return speed(object) > core::kStirringSpeed; }
     /// It does not yield: fixed, or asleep.
     bool still(int object) const {
@@ -134,6 +140,7 @@ class Objects {
     std::vector<Rest> rests_;
     double heaviest_;       ///< kg, of everything together
     double settlingSpeed_;  ///< m/s
+    double gentlePush_;     ///< m/s, in a step: the last search covers it
     int sleepSteps_;
     std::vector<Active> active_;
     std::vector<int> cellTouches_;    ///< N, per candidate's cell, 0 between steps

@@ -243,12 +243,24 @@ std::vector<ReferenceContact::FreeNode> ReferenceSolver::freeNodes() const {
 void ReferenceSolver::pushObjects() {
     ObjectCells cells(*this);
     objects_->startStep(state_.step);
+    if (const std::vector<Blast> now = blasts(); !now.empty()) objects_->accelerate(now);
     if (searchDue_ || objects_->searchDue() || state_.step % kContactInterval == 0) {
         std::vector<bool> there(world_.bodies().size(), true);
         for (const int body : state_.absent) there[body] = false;
         objects_->search(cells, there);
     }
     objects_->push(cells);
+}
+
+std::vector<Blast> ReferenceSolver::blasts() const {
+    std::vector<Blast> result;
+    const auto add = [&](const Event& event) {
+        const double weight = event.weight(state_.step);
+        if (event.body == kEveryBody && weight > 0) result.push_back({&event, weight});
+    };
+    std::for_each(world_.events().begin(), world_.events().end(), add);
+    std::for_each(state_.pushes.begin(), state_.pushes.end(), add);
+    return result;
 }
 
 void ReferenceSolver::addEvent(const Event& event) {

@@ -58,6 +58,8 @@ class ReferenceSolver : public core::Solver {
     NodeGroup groupOf(int node) const;
     std::vector<ReferenceContact::FreeNode> freeNodes() const;
     void pushObjects();
+    /// Events of every body at work in this step.
+    std::vector<core::Blast> blasts() const;
     /// Adds what an event does in this step to eventAcceleration_.
     void addEvent(const core::Event&);
     void updateNodes();

@@ -517,7 +517,7 @@ void GatherSolver::advanceOne(bool events, int stepInFrame) {
     }
     observe(passObserver_, "elements", forces_, world_.cellCount(), kCorners);
     if (contact_) addContacts();
-    if (objects_) addObjects();
+    if (objects_) addObjects(events, stepInFrame);
     if (incidents_ && contact_) incidents_->addPushes();
     // Stresses are those before the nodes move; what they break shows in the links of the next
     // step.
@@ -545,8 +545,9 @@ void GatherSolver::addContacts() {
     observe(passObserver_, "contacts", forces_, world_.cellCount(), kCorners);
 }
 
-void GatherSolver::addObjects() {
+void GatherSolver::addObjects(bool events, int stepInFrame) {
     const TimedPass timed(passTimer_, "objects");
+    if (events && events_.schedule().nextBlast(step_) == step_) objects_->accelerate(stepInFrame);
     objects_->push(step_);
     forces_.bind();
     objects_->drawForces();
@@ -617,6 +618,10 @@ void GatherSolver::watch() {
 }
 
 void GatherSolver::rest() {
+    const std::int64_t before = step_ - monitor_.interval();
+    if (events_.schedule().nextBlast(before) <= step_)
+        for (int object = 0; object < objectCount(); ++object)
+            if (blastedWithin(object, before, step_ + 1)) objects_->disturb(object, step_);
     const auto addBoxes = [&](std::vector<RestBox>& boxes) {
         for (const RestMonitor::Chunk& chunk : monitor_.chunks())
             if (book_.active(chunk.box.member)) boxes.push_back(chunk.box);
@@ -664,9 +669,12 @@ void GatherSolver::startThrows() {
 void GatherSolver::wakePushed() {
     const EventSchedule& events = events_.schedule();
     std::vector<bool> pushed(world_.bodies().size());
+    bool blasted = false, begins = false;
     for (const int index : events.blasts()) {
         const Event& blast = events.all()[index];
         if (blast.nextStep(step_) > step_) continue;
+        blasted = true;
+        begins |= blast.nextStep(step_ - 1) == step_;
         // Without contact nobody knows where they are.
         if (!contact_) pushed.assign(pushed.size(), true);
         for (const RestMonitor::Chunk& chunk : monitor_.chunks())
@@ -681,20 +689,38 @@ void GatherSolver::wakePushed() {
         wake(memberOfBody(body));
         any = true;
     }
+    for (int object = 0; blasted && object < objectCount(); ++object) {
+        if (!objectAsleep(object) || !blastedWithin(object, step_, step_ + 1)) continue;
+        wake(memberOfObject(world_, object));
+        any = true;
+    }
     if (any) bodiesChanged();
+    if (objects_ && begins) wakeThreatened();
     findNextWake(step_ + 1);
+}
+
+bool GatherSolver::blastedWithin(int object, std::int64_t from, std::int64_t to) const {
+    if (objects_->restStatus(object) == RestIslands::Status::Apart) return false;
+    const RestBox box = restBoxOf(world_, object, knownObjects()[object]);
+    return events_.schedule().blastWithin(from, to, box.low, box.high);
 }
 
 void GatherSolver::findNextWake(std::int64_t from) {
     nextWake_ = std::numeric_limits<std::int64_t>::max();
     const EventSchedule& events = events_.schedule();
-    for (int body = 0; body < bodyCount(); ++body)
-        if (asleep(body))
-            nextWake_ = std::min({nextWake_, events.nextPush(body, from), events.nextBlast(from)});
+    bool anyAsleep = false;
+    for (int body = 0; body < bodyCount(); ++body) {
+        if (!asleep(body)) continue;
+        anyAsleep = true;
+        nextWake_ = std::min(nextWake_, events.nextPush(body, from));
+    }
+    for (int object = 0; object < objectCount(); ++object) anyAsleep |= objectAsleep(object);
+    if (anyAsleep) nextWake_ = std::min(nextWake_, events.nextBlast(from));
 }
 
 /// What sleeps where something that moves may come before the next look.
 void GatherSolver::wakeThreatened() {
+    objects_->expect(events_.schedule(), step_);
     bool any = false;
     for (int body = 0; body < bodyCount(); ++body) {
         if (!asleep(body) || !objects_->threatens(body)) continue;

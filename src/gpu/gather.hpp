@@ -104,6 +104,9 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     void fallAsleep(const std::vector<int>& bodies);
     void startThrows();
     void wakePushed();
+    /// Whether a blast pushes an object within steps from .. to − 1, as far as it stays where it
+    /// was known to be.
+    bool blastedWithin(int object, std::int64_t from, std::int64_t to) const;
     void findNextWake(std::int64_t from);
     void wakeThreatened();
     /// Wakes a body or an object and what sleeps with it (core/rest_islands.hpp).
@@ -117,7 +120,7 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     int objectCount() const { return static_cast<int>(world_.objects().size()); }
     void bodiesChanged();
     void addContacts();
-    void addObjects();
+    void addObjects(bool events, int stepInFrame);
     void advanceOne(bool events, int stepInFrame);
     void lookForIncidents();
     /// Whether anything changes in a step: bodies that are awake, objects that move.
@@ -156,7 +159,7 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     bool stirred_ = false;  ///< something has moved since the last look for incidents
     RestMonitor monitor_;
     bool newNodeWatch_ = true, newBondWatch_ = true;  ///< no step, no update since the last look
-    std::int64_t nextWake_ = 0;  ///< no event acts on a sleeping body before this step
+    std::int64_t nextWake_ = 0;  ///< no event acts on what sleeps before this step
 };
 
 }  // namespace sunder::gpu

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/contact.hpp"
+#include "core/incident.hpp"
 #include "core/object_contact.hpp"
 #include "gl/timer.hpp"
 #include "gpu/feedback.hpp"
@@ -91,6 +92,7 @@ ObjectPass::ObjectPass(const World& world, const WorldBuffers& buffers,
       noAttributes_(gl::makeVertexArray()),
       rests_(static_cast<std::size_t>(count_)),
       asleep_(static_cast<std::size_t>(count_), false),
+      gains_(static_cast<std::size_t>(count_)),
       sleepers_(sizeof(float) * static_cast<std::size_t>(count_), nullptr, GL_DYNAMIC_DRAW,
                 "sleeping objects"),
       sleepersTexture_(gl::makeBufferTexture(sleepers_, GL_R32F, "sleeping objects")),
@@ -111,6 +113,8 @@ ObjectPass::ObjectPass(const World& world, const WorldBuffers& buffers,
             ? pairProgram("FORCE", "", "objects/force.frag", columns, rows)
             : pairProgram("FORCE", "objects/force.geom", "scatter/element.frag", columns, rows);
     amongProgram_ = objectProgram("objects/among.frag");
+    accelerateProgram_ = objectProgram("objects/accelerate.frag");
+    stepInFrameUniform_ = accelerateProgram_.uniform("stepInFrame");
     moveProgram_ = objectProgram("objects/move.frag");
     glUniform3f(moveProgram_.uniform("gravity"), static_cast<float>(world.description().gravity[0]),
                 static_cast<float>(world.description().gravity[1]),
@@ -369,6 +373,16 @@ void ObjectPass::drawObjects(const gl::Program& program) const {
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+void ObjectPass::accelerate(int stepInFrame) {
+    bind();
+    current_ = 1 - current_;
+    motion_[current_].bind();
+    accelerateProgram_.use();
+    glUniform1f(stepInFrameUniform_, static_cast<float>(stepInFrame));
+    drawObjects(accelerateProgram_);
+    searchDue_ = true;
+}
+
 void ObjectPass::push(std::int64_t step) {
     bind();
     if (searchDue_ || step % kContactInterval == 0) search();
@@ -459,6 +473,26 @@ double ObjectPass::speedOf(int index) const {
     return known_[index].velocity.norm() + known_[index].spin(object).norm() * object.reach();
 }
 
+void ObjectPass::expect(const EventSchedule& events, std::int64_t step) {
+    std::fill(gains_.begin(), gains_.end(), 0.0);
+    const int look = stepsPerLook(world_);
+    const std::int64_t from = std::max<std::int64_t>(0, step - (kLag + 1) * look), to = step + look;
+    if (events.nextBlast(from) >= to) return;
+    for (const int index : events.blasts()) {
+        const Event& blast = events.all()[index];
+        const double steps = std::min(blast.end, static_cast<double>(to)) -
+                             std::max(blast.start, static_cast<double>(from));
+        if (steps <= 0) continue;
+        const double most = blast.acceleration.norm() + std::abs(blast.outward);
+        for (int object = 0; object < count_; ++object) {
+            if (!known_[object].present || world_.objects()[object].inverseMass == 0) continue;
+            const Vec3 way = Vec3::Constant(reachOf(object));
+            if (blast.reaches(known_[object].position - way, known_[object].position + way))
+                gains_[object] += steps * world_.step() * most;
+        }
+    }
+}
+
 bool ObjectPass::anyAwake() const {
     for (int i = 0; i < count_; ++i)
         if (known_[i].present &&
@@ -468,14 +502,16 @@ bool ObjectPass::anyAwake() const {
 }
 
 bool ObjectPass::stirs(int object) const {
-    return known_[object].present && !asleep_[object] && speedOf(object) > kStirringSpeed;
+    return known_[object].present && !asleep_[object] &&
+           speedOf(object) + gains_[object] > kStirringSpeed;
 }
 
 double ObjectPass::reachOf(int object) const {
     // Two looks ago, and until the next one.
     constexpr double time = (kLag + 1) / 60.0;
     const double fall = world_.description().gravity.norm() * time;
-    return world_.objects()[object].reach() + (known_[object].velocity.norm() + fall) * time;
+    return world_.objects()[object].reach() +
+           (known_[object].velocity.norm() + gains_[object] + fall) * time;
 }
 
 bool ObjectPass::threatens(int body) const {

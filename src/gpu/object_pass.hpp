@@ -48,6 +48,9 @@ class ObjectPass {
     void put(int object, const core::ObjectState& state, std::int64_t step);
     /// cells: those that can be touched, from the next search on.
     void setCells(std::span<const TexelRange> cells);
+    /// Gives objects what the events of every body at work in a step of this frame add to their
+    /// motion, before push(). The events must be bound.
+    void accelerate(int stepInFrame);
     /// Finds what may touch, where that is due, and works out the impulses on objects. Nodes, links
     /// and the world's buffers must be bound.
     void push(std::int64_t step);
@@ -68,6 +71,11 @@ class ObjectPass {
     core::RestIslands::Status restStatus(int object) const;
     bool asleep(int object) const { return asleep_[object]; }
     void setAsleep(const std::vector<int>& objects, bool asleep, std::int64_t step);
+    /// An object that is awake is pushed: what it did before `step` no longer counts as calm.
+    void disturb(int object, std::int64_t step) { rests_[object] = {0, step}; }
+    /// Finds out by how much blasts may have made objects faster since they were last known, and
+    /// may until the next look, which is what threatens() and the like ask for.
+    void expect(const core::EventSchedule& events, std::int64_t step);
     /// Whether any object moves, or may begin to.
     bool anyAwake() const;
     /// Whether one that moves may come to touch the body, or the object that sleeps, before the
@@ -123,7 +131,7 @@ class ObjectPass {
     gl::TransformFeedback capture_;
     gl::VertexArray pairs_, noAttributes_;
     gl::Program searchProgram_, countProgram_, reactionProgram_, forceProgram_, amongProgram_,
-        moveProgram_, listedProgram_;
+        accelerateProgram_, moveProgram_, listedProgram_;
     std::vector<TexelRange> cells_;
     bool searchDue_ = true;
     std::array<Answer, kLag> answers_;
@@ -132,9 +140,10 @@ class ObjectPass {
     std::int64_t changed_ = 0;              ///< step at which one was put somewhere
     std::vector<Rest> rests_;
     std::vector<bool> asleep_;
-    gl::Buffer sleepers_;  ///< a float per object
+    std::vector<double> gains_;  ///< m/s: expect()
+    gl::Buffer sleepers_;        ///< a float per object
     gl::Texture sleepersTexture_;
-    GLint newWatchUniform_ = -1;
+    GLint newWatchUniform_ = -1, stepInFrameUniform_ = -1;
     bool newWatch_ = true;
     int sleepSteps_;
 };

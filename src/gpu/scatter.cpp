@@ -312,7 +312,7 @@ void ScatterSolver::putObject(int object, const ObjectState& state) {
 }
 
 void ScatterSolver::advance(int steps) {
-    events_.write(step_, steps);
+    const bool events = events_.write(step_, steps);
     bindBodies();
     gl::bindTexture(kEvents, GL_TEXTURE_BUFFER, events_.texture());
     gl::bindTexture(kLinks, GL_TEXTURE_BUFFER, bonds_.links());
@@ -326,7 +326,7 @@ void ScatterSolver::advance(int steps) {
         gl::bindTexture(kNodes, GL_TEXTURE_BUFFER, nodes_[currentNodes_].nodes.texture());
         updateElements(fracture);
         if (contact_) addContacts();
-        if (objects_) addObjects();
+        if (objects_) addObjects(events, i);
         if (incidents_ && contact_) incidents_->addPushes();
         updateConnectivity();
         updateNodes(i);
@@ -391,10 +391,11 @@ void ScatterSolver::addContacts() {
     observe(passObserver_, "contacts", elementTarget_, 0, width_, world_.nodeCount());
 }
 
-void ScatterSolver::addObjects() {
+void ScatterSolver::addObjects(bool events, int stepInFrame) {
     const TimedPass timed(passTimer_, "objects");
     for (const Throw& thrown : world_.throws())
         if (thrown.step == step_) putObject(thrown.object, thrown.state);
+    if (events && events_.schedule().nextBlast(step_) == step_) objects_->accelerate(stepInFrame);
     objects_->push(step_);
     glBindFramebuffer(GL_FRAMEBUFFER, elementTarget_.id());
     glViewport(0, 0, width_, height_);

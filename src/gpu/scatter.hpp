@@ -67,7 +67,7 @@ class ScatterSolver : public GpuSolver {
     void drawForces(const gl::Program& program, const gl::VertexArray& attributes, int count);
     void updateElements(bool fracture);
     void addContacts();
-    void addObjects();
+    void addObjects(bool events, int stepInFrame);
     void lookForIncidents();
     void updateConnectivity();
     void updateNodes(int stepInFrame);

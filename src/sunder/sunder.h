@@ -34,7 +34,7 @@ enum {
     SUNDER_FRONT = 32  /* +z */
 };
 
-/* All bodies, of sunder_push. */
+/* All bodies and objects, of sunder_push. */
 #define SUNDER_EVERY_BODY (-1)
 
 /* A world before it is made. */
@@ -87,7 +87,7 @@ typedef struct sunder_object {
 
 /* A push: sunder::Push. sunder_push_default() first. */
 typedef struct sunder_push {
-    int body;           /* An index, or SUNDER_EVERY_BODY. */
+    int body;           /* An index, or SUNDER_EVERY_BODY: objects, too. */
     double at[3];       /* m, world; of one body: at rest. */
     double radius;      /* m. */
     double velocity[3]; /* m/s; or */

@@ -123,15 +123,16 @@ struct SUNDER_API Object {
     bool mayOverlap = false;         ///< Whether it may lie within others as the world begins.
 };
 
-/// All bodies, of Push::body.
+/// All bodies and objects, of Push::body.
 inline constexpr int kEveryBody = -1;
 
 /// A push: a hit, a shove, an explosion. Exactly one of `velocity`, `impulse` and `force` or, of
 /// every body, `outward` has to be other than zero; `outward` may go with `velocity`.
 struct Push {
     /// What is pushed: kEveryBody, all that a ball around `at` holds while the push acts, wherever
-    /// it has moved to; or one body (what WorldDesc::addBody() returned), of which the patch around
-    /// `at` is pushed to the end, wherever it moves.
+    /// it has moved to, objects among it, unless they are fixed or kinematic; or one body (what
+    /// WorldDesc::addBody() returned), of which the patch around `at` is pushed to the end, wherever
+    /// it moves.
     int body = kEveryBody;
     /// m, world, each −1e4 to 1e4. Of one body: at rest, where it was when the world began
     /// (RayHit::restPlace).
