@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/archive.hpp"
+#include "core/contact.hpp"
 #include "core/world.hpp"
 #include "gl/timer.hpp"
 #include "gpu/pass_timer.hpp"
@@ -76,6 +77,8 @@ class ContactPass {
     std::vector<double> haste() const;
 
   private:
+    static constexpr int kPartnerLayers = 1 + core::kMostPartners / 4;
+    int sphereCount() const { return world_.cellCount() << sphereBits_; }
     void search(std::int64_t step, PassTimer* timer);
     void shiftGrid(std::int64_t step);
     void fillRegions();

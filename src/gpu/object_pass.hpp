@@ -111,7 +111,10 @@ class ObjectPass {
     double reachOf(int object) const;
     void writeSleepers();
     using Pair = std::array<GLint, 4>;  ///< glsl/objects/search.geom
-    using Motion = std::vector<vec4>;   ///< layer by layer
+    static constexpr std::size_t kPairBytes = sizeof(Pair);
+    /// Of the bound vertex array.
+    static void pairAttribute(const gl::Buffer& pairs);
+    using Motion = std::vector<vec4>;  ///< layer by layer
     void archive(core::Archive& archive, Motion& motion) const;
     void archive(core::Archive& archive, Answer& answer);
     void archive(core::Archive& archive, Pair& pair) const;

@@ -131,8 +131,8 @@ inline constexpr int kEveryBody = -1;
 struct Push {
     /// What is pushed: kEveryBody, all that a ball around `at` holds while the push acts, wherever
     /// it has moved to, objects among it, unless they are fixed or kinematic; or one body (what
-    /// WorldDesc::addBody() returned), of which the patch around `at` is pushed to the end, wherever
-    /// it moves.
+    /// WorldDesc::addBody() returned), of which the patch around `at` is pushed to the end,
+    /// wherever it moves.
     int body = kEveryBody;
     /// m, world, each −1e4 to 1e4. Of one body: at rest, where it was when the world began
     /// (RayHit::restPlace).
