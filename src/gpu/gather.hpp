@@ -104,6 +104,8 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     void fallAsleep(const std::vector<int>& bodies);
     void startThrows();
     void wakePushed();
+    /// Which bodies an event of every body may reach in the step to come.
+    std::vector<bool> blasted() const;
     /// Whether a blast pushes an object within steps from .. to − 1, as far as it stays where it
     /// was known to be.
     bool blastedWithin(int object, std::int64_t from, std::int64_t to) const;

@@ -112,12 +112,13 @@ void GatherSolver::rest() {
     if (events_.schedule().nextBlast(before) <= step_)
         for (int object = 0; object < objectCount(); ++object)
             if (blastedWithin(object, before, step_ + 1)) objects_->disturb(object, step_);
+    const std::vector<bool> pushed = blasted();
     const auto addBoxes = [&](std::vector<RestBox>& boxes) {
         for (const RestMonitor::Chunk& chunk : monitor_.chunks())
             if (book_.active(chunk.box.member)) boxes.push_back(chunk.box);
     };
     const auto [bodies, objects] =
-        book_.settle([this](int body) { return monitor_.ready(body); }, addBoxes,
+        book_.settle([&](int body) { return monitor_.ready(body) && !pushed[body]; }, addBoxes,
                      [this](int object) { return objects_->restStatus(object); }, knownObjects());
     if (!objects.empty()) objects_->setAsleep(objects, true, step_);
     if (!bodies.empty()) fallAsleep(bodies);
@@ -153,28 +154,21 @@ void GatherSolver::fallAsleep(const std::vector<int>& calm) {
 
 void GatherSolver::wakePushed() {
     const EventSchedule& events = events_.schedule();
-    std::vector<bool> pushed(world_.bodies().size());
-    bool blasted = false, begins = false;
+    const std::vector<bool> pushed = blasted();
+    bool any = false, acts = false, begins = false;
     for (const int index : events.blasts()) {
         const Event& blast = events.all()[index];
         if (blast.nextStep(step_) > step_) continue;
-        blasted = true;
+        acts = true;
         begins |= blast.nextStep(step_ - 1) == step_;
-        // Without contact nobody knows where they are.
-        if (!contact_) pushed.assign(pushed.size(), true);
-        for (const RestMonitor::Chunk& chunk : monitor_.chunks())
-            if (const auto body = static_cast<std::size_t>(chunk.box.member);
-                body < pushed.size() && blast.reaches(chunk.box.low, chunk.box.high))
-                pushed[body] = true;
     }
-    bool any = false;
     for (int body = 0; body < bodyCount(); ++body) {
         if (!asleep(body) || !(pushed[body] || events.pushedWithin(body, step_, step_ + 1)))
             continue;
         wake(memberOfBody(body));
         any = true;
     }
-    for (int object = 0; blasted && object < objectCount(); ++object) {
+    for (int object = 0; acts && object < objectCount(); ++object) {
         if (!objectAsleep(object) || !blastedWithin(object, step_, step_ + 1)) continue;
         wake(memberOfObject(world_, object));
         any = true;
@@ -182,6 +176,22 @@ void GatherSolver::wakePushed() {
     if (any) bodiesChanged();
     if (objects_ && begins) wakeThreatened();
     findNextWake(step_ + 1);
+}
+
+std::vector<bool> GatherSolver::blasted() const {
+    const EventSchedule& events = events_.schedule();
+    std::vector<bool> reached(world_.bodies().size());
+    for (const int index : events.blasts()) {
+        const Event& blast = events.all()[index];
+        if (blast.nextStep(step_) > step_) continue;
+        // Without contact nobody knows where they are.
+        if (!contact_) reached.assign(reached.size(), true);
+        for (const RestMonitor::Chunk& chunk : monitor_.chunks())
+            if (const auto body = static_cast<std::size_t>(chunk.box.member);
+                body < reached.size() && blast.reaches(chunk.box.low, chunk.box.high))
+                reached[body] = true;
+    }
+    return reached;
 }
 
 bool GatherSolver::blastedWithin(int object, std::int64_t from, std::int64_t to) const {

@@ -352,3 +352,40 @@ TEST_CASE("members of an island fall asleep and wake together") {
     CHECK(islands.wake(4) == std::vector{0, 1, 2, 3, 4});
     CHECK(islands.wake(0).empty());
 }
+
+TEST_CASE("no push is slept through, though it be as short as a step") {
+    WorldDescription d = block({2, 2, 1}, softElastic());
+    d.materials[0].damping = 10;
+    d.bodies[0].anchors = {Side::Bottom};
+    const World calm(d);
+    EventDescription push = hit(0, {0, 0.2, 0}, {0, 0, 0.3});
+    push.duration = d.step;
+    EventDescription blast = push;  // at the same place
+    blast.body = kEveryBody;
+    blast.point += d.bodies[0].position;
+    for (const SolverUnderTest& under : sleepers()) {
+        INFO(under.name);
+        const auto watched = under.make(calm);
+        while (!watched->asleep(0)) {
+            watched->advance(1);
+            REQUIRE(watched->state().step < 9000);
+        }
+        // Around the step in which it falls asleep when nothing comes.
+        const auto fell = static_cast<int>(watched->state().step) - 1;
+        for (int step = fell - 2; step <= fell + 2; ++step) {
+            INFO(step);
+            for (const EventDescription& event : {push, blast}) {
+                INFO((event.body == kEveryBody ? "blast" : "push"));
+                d.events = {event};
+                d.events[0].time = step * d.step;
+                const World pushed(d);
+                const auto solver = under.make(pushed);
+                solver->advance(step + 1);
+                double fastest = 0;
+                for (const Vec3& v : solver->state().velocity)
+                    fastest = std::max(fastest, v.norm());
+                CHECK(fastest > 0.1);
+            }
+        }
+    }
+}
