@@ -167,8 +167,9 @@ RestMonitor::News RestMonitor::take(const Answer& answer, std::int64_t now) {
             if (some.z >= 2) news.hit.push_back(static_cast<int>(some.z) - 2);
         }
         const float limit = all.z > 0 ? body.creepSpeed2 : body.calmSpeed2;
-        const bool quiet = body.disturbed <= since && !events_.pushedWithin(index, since, now + 1) &&
-                           all.x < limit && all.y == 0;
+        const bool quiet = body.disturbed <= since &&
+                           !events_.pushedWithin(index, since, now + 1) && all.x < limit &&
+                           all.y == 0;
         body.calmSteps = quiet ? body.calmSteps + interval_ : 0;
     }
     takeChunks(unrest);

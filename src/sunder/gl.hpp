@@ -176,7 +176,8 @@ class SUNDER_API Surface {
     /// A vertex array of the device's context with all attributes, at the locations that Vertex and
     /// RestVertex name, and the indices. 0: not ok().
     unsigned vertexArray() const;
-    /// Vertex, one after another. 0: not ok().
+    /// Vertex, one after another; to be read, for what is written into it stays until that body
+    /// changes. 0: not ok().
     unsigned vertexBuffer() const;
     /// RestVertex, one after another. 0: not ok().
     unsigned restBuffer() const;
