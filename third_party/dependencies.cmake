@@ -23,10 +23,12 @@ find_package(glm REQUIRED)
 
 # glad: OpenGL 4.1 core, generated at build time by the `glad` tool (Debian: python3-glad; elsewhere: the Python package glad2).
 # A table of functions for each context (--mx), none of the process. Without --reproducible it would fetch the specification from
-# the network. The extensions are those that tell of errors and of a lost context, and those whose state a host may have set so
-# that OpenGL 4.1's own draws come out differently (src/gl/guest_state.cpp); Sunder computes without any of them.
+# the network. The extensions are those that tell of errors and of a lost context, those whose state a host may have set so that
+# OpenGL 4.1's own draws come out differently (src/gl/guest_state.cpp), and the two that the solver `compute` needs, which are part
+# of OpenGL 4.3; all else does without any of them.
 set(SUNDER_GL_EXTENSIONS
   GL_KHR_debug GL_KHR_robustness GL_ARB_robustness
+  GL_ARB_compute_shader GL_ARB_shader_image_load_store
   GL_ARB_clip_control GL_ARB_ES3_compatibility GL_ARB_polygon_offset_clamp GL_ARB_query_buffer_object
   GL_EXT_depth_bounds_test GL_EXT_raster_multisample GL_EXT_window_rectangles
   GL_INTEL_conservative_rasterization GL_NV_conservative_raster GL_NV_fragment_coverage_to_color

@@ -1,5 +1,5 @@
-// Element update: one fragment per cell computes its five tetrahedra and writes the forces on its eight nodes into eight float
-// targets; with STRESSES, every few steps, the stresses that bonds are tested with instead.
+// Element update: one fragment (or invocation) per cell computes its five tetrahedra and writes the forces on its eight nodes into
+// eight float targets; with STRESSES, every few steps, the stresses that bonds are tested with instead.
 //
 // On a box cell nothing but edge lengths is needed (no rest matrices): in a corner tetrahedron the columns of F are the three
 // edges at its apex over their lengths, in the central one half sums and differences of its four corners. All vectors are along the
@@ -15,10 +15,13 @@
 
 uniform float stepSize;  // s
 
+#ifndef COMPUTE
+layout(location = 0) out
+#endif
 #if STRESSES
-layout(location = 0) out vec4 newStress[kStressLayers];
+vec4 newStress[kStressLayers];
 #else
-layout(location = 0) out vec4 newForces[8];  // xyz: N, on this cell's copies of its nodes
+vec4 newForces[8];  // xyz: N, on this cell's copies of its nodes
 #endif
 
 vec3 u[8], v[8], f[8];
@@ -75,9 +78,7 @@ mat3 centralTetrahedron(ElementLaw law, vec3 reciprocal) {
     return turnedBack(law, F, rate, stepSize);
 }
 
-void main() {
-    ivec2 texel = ivec2(gl_FragCoord.xy);
-    int cell = fragmentIndex();
+void updateCell(int cell, ivec2 texel) {
 #if STRESSES
     for (int i = 0; i < kStressLayers; ++i) newStress[i] = vec4(0.0);
 #else
@@ -133,3 +134,19 @@ void main() {
     }
 #endif
 }
+
+#ifdef COMPUTE
+void main() {
+    int cell = invocationCell();
+    if (cell < 0) return;
+    ivec2 texel = texelAddress(cell);
+    updateCell(cell, texel);
+#if STRESSES
+    for (int i = 0; i < kStressLayers; ++i) imageStore(target, ivec3(texel, i), newStress[i]);
+#else
+    for (int k = 0; k < 8; ++k) imageStore(target, ivec3(texel, k), newForces[k]);
+#endif
+}
+#else
+void main() { updateCell(fragmentIndex(), ivec2(gl_FragCoord.xy)); }
+#endif

@@ -8,8 +8,12 @@ uniform sampler2DArray bonds;     // layers of BondRecord
 
 uniform bool newWatch;  // this is the first update since bodies were last looked at for rest
 
+#ifdef COMPUTE
+vec4 newDamage, newSlow;
+#else
 layout(location = 0) out vec4 newDamage;  // w: 1 where damage grew since then
 layout(location = 1) out vec4 newSlow;
+#endif
 
 vec4 stressLayer(int cell, int layer) { return texelFetch(stresses, ivec3(texelAddress(cell), layer), 0); }
 
@@ -33,12 +37,24 @@ mat3 biot(int cell, int tetrahedron) {
 #endif
 }
 
-void main() {
-    ivec2 texel = ivec2(gl_FragCoord.xy);
+void updateCell(int cell, ivec2 texel) {
     newDamage = texelFetch(bonds, ivec3(texel, 0), 0);
     newSlow = texelFetch(bonds, ivec3(texel, 1), 0);
     vec3 before = newDamage.xyz, d = before;
-    updateBonds(fragmentIndex(), d, newSlow);
+    updateBonds(cell, d, newSlow);
     bool grew = any(notEqual(d, before)) || (!newWatch && newDamage.w > 0.0);
     newDamage = vec4(d, grew ? 1.0 : 0.0);
 }
+
+#ifdef COMPUTE
+void main() {
+    int cell = invocationCell();
+    if (cell < 0) return;
+    ivec2 texel = texelAddress(cell);
+    updateCell(cell, texel);
+    imageStore(target, ivec3(texel, 0), newDamage);
+    imageStore(target, ivec3(texel, 1), newSlow);
+}
+#else
+void main() { updateCell(fragmentIndex(), ivec2(gl_FragCoord.xy)); }
+#endif

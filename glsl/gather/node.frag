@@ -1,5 +1,5 @@
-// Node update: one fragment per cell and four of its corners (FIRST and the next three). Gathers for each the forces of the joined
-// copies and writes its new state into two of eight float targets.
+// Node update: one fragment per cell and four of its corners (FIRST and the next three), or one invocation per cell and corner.
+// Gathers for each the forces of the joined copies and writes its new state into two float targets.
 #include "gather/cell_texel.glsl"
 #include "gather/node.glsl"
 #include "physics/lattice.glsl"
@@ -17,7 +17,9 @@ uniform float stepInFrame;
 #endif
 uniform bool newWatch;  // this is the first step since bodies were last looked at for rest
 
+#ifndef COMPUTE
 layout(location = 0) out vec4 newNodes[8];  // layers 2·FIRST to 2·FIRST + 7
+#endif
 
 // Force on the joined group of a corner's node. The same order for every copy of the lattice point, so that all of them stay equal
 // to the bit.
@@ -35,7 +37,7 @@ vec3 groupForce(int cell, int corner, uint mask, ivec3 strides) {
     return force;
 }
 
-// corner is a constant wherever this is called, so that the compiler indexes nothing at run time.
+// In fragments, corner is a constant wherever this is called, so that the compiler indexes nothing at run time.
 void updateNode(int corner, int cell, ivec2 texel, int bodyIndex, BodyRecord body, vec4 masks, float inverseMass,
                 out vec4 displacement, out vec4 velocity) {
     displacement = texelFetch(nodes, ivec3(texel, displacementLayer(corner)), 0);
@@ -57,6 +59,21 @@ void updateNode(int corner, int cell, ivec2 texel, int bodyIndex, BodyRecord bod
     velocity = moves ? vec4(v, newWatch ? dot(v, v) : max(dot(v, v), velocity.w)) : vec4(0.0);
 }
 
+#ifdef COMPUTE
+void main() {
+    int cell = invocationCell();
+    if (cell < 0) return;
+    ivec2 texel = texelAddress(cell);
+    int corner = int(gl_WorkGroupID.y);
+    vec4 masks = texelFetch(links, ivec3(texel, 0), 0);
+    vec4 inverseMasses = texelFetch(links, ivec3(texel, 1 + corner / 4), 0);
+    int index = bodyOf(cellRecord(cell));
+    vec4 displacement, velocity;
+    updateNode(corner, cell, texel, index, bodyRecord(index), masks, inverseMasses[corner & 3], displacement, velocity);
+    imageStore(target, ivec3(texel, displacementLayer(corner)), displacement);
+    imageStore(target, ivec3(texel, velocityLayer(corner)), velocity);
+}
+#else
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
     int cell = fragmentIndex();
@@ -69,3 +86,4 @@ void main() {
     updateNode(FIRST + 2, cell, texel, index, body, masks, inverseMasses.z, newNodes[4], newNodes[5]);
     updateNode(FIRST + 3, cell, texel, index, body, masks, inverseMasses.w, newNodes[6], newNodes[7]);
 }
+#endif

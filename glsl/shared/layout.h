@@ -113,6 +113,9 @@ struct NodeRecord {
     vec4 velocity;     // xyz: m/s; w: 0
 };
 
+// Cells to a work group of a compute shader.
+#define SUNDER_CELL_GROUP 64
+
 // One cell in a bond buffer: two texels, or two layers of a texture.
 struct BondRecord {
     vec4 damage; // of the bonds through the +x, +y, +z faces; w: 0, or SUNDER_GONE where the body is not there

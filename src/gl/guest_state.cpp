@@ -11,7 +11,8 @@
 //   and polygons;
 // - the scissor boxes; program pipelines, which glUseProgram overrules; seamless cube maps, of
 //   which Sunder has none; renderbuffers; the generic bindings of textures' buffers and indirect
-//   draws; images, atomic counters and shader storage, which GLSL 4.10 does not know;
+//   draws; atomic counters and shader storage, which no shader of Sunder's uses (of images, which
+//   the solver `compute` does: gl/touched_bindings.hpp);
 // - what belongs to objects of the host's: vertex arrays, their element buffer included,
 //   framebuffers and their draw and read buffers, transform feedbacks and their buffers;
 // - current vertex attributes, which drawing may change (GL 4.1, 2.8.3); no driver is known to do

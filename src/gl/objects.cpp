@@ -275,6 +275,12 @@ void endCaptures() {
     glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, Driver::current()->idleFeedback);
 }
 
+void bindImage(int unit, const Texture& texture) {
+    Driver::current()->touched.image(unit);
+    glBindImageTexture(static_cast<GLuint>(unit), texture.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY,
+                       GL_RGBA32F);
+}
+
 void bindUniforms(int binding, const Buffer& buffer) {
     Driver::current()->touched.uniforms(binding);
     glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(binding), buffer.id());

@@ -111,5 +111,7 @@ void beginCaptures(const TransformFeedback&);
 void endCaptures();
 /// All of a buffer becomes what uniform blocks with that binding read. Likewise, by this alone.
 void bindUniforms(int binding, const Buffer&);
+/// All layers of an RGBA32F array texture, for shaders that write them. Needs OpenGL 4.2.
+void bindImage(int unit, const Texture&);
 
 }  // namespace sunder::gl

@@ -26,7 +26,9 @@ std::string infoLog(GLuint id, GetInteger getInteger, GetLog getLog) {
 
 Shader compile(GLenum stage, const std::string& name, const ProgramDescription& description,
                std::vector<std::string>& files) {
-    const std::string text = assembleShader(description.source, name, description.defines, files);
+    const int version = stage == GL_COMPUTE_SHADER ? 430 : 410;
+    const std::string text =
+        assembleShader(description.source, name, description.defines, files, version);
     const char* const pointer = text.c_str();
     const GLint length = static_cast<GLint>(text.size());
     Shader shader(glCreateShader(stage));
@@ -70,6 +72,7 @@ Program::Program(const ProgramDescription& description) : handle_(glCreateProgra
     add(GL_VERTEX_SHADER, description.vertex);
     add(GL_GEOMETRY_SHADER, description.geometry);
     add(GL_FRAGMENT_SHADER, description.fragment);
+    add(GL_COMPUTE_SHADER, description.compute);
 
     link(id(), description);
     for (const Shader& shader : shaders) glDetachShader(id(), shader.id());

@@ -9,9 +9,10 @@
 namespace sunder::gl {
 
 struct ProgramDescription {
-    std::string vertex;         ///< file under glsl/, as are the next two
+    std::string vertex = {};    ///< file under glsl/, as are the next three; empty: none
     std::string geometry = {};  ///< empty: none
     std::string fragment = {};  ///< empty: none
+    std::string compute = {};   ///< alone, in GLSL 4.30; empty: none
     Defines defines = {};
     std::vector<std::string> feedback = {};  ///< transform feedback varyings, interleaved
     std::vector<std::pair<std::string, int>> attributes = {};  ///< name, location

@@ -55,10 +55,10 @@ class Assembler {
     Assembler(const ShaderSource& source, std::vector<std::string>& files)
         : source_(source), files_(files) {}
 
-    std::string assemble(std::string_view name, const Defines& defines) {
+    std::string assemble(std::string_view name, const Defines& defines, int version) {
         // Errors in the defines have a name too.
         const std::size_t number = open("(defines)");
-        text_ = "#version 410 core\n";
+        text_ = "#version " + std::to_string(version) + " core\n";
         setLine(1, number);
         for (const auto& [key, value] : defines) text_ += "#define " + key + " " + value + "\n";
         const std::optional<std::string> body = source_(name);
@@ -141,8 +141,8 @@ ShaderSource embeddedShaders() {
 }
 
 std::string assembleShader(const ShaderSource& source, std::string_view name,
-                           const Defines& defines, std::vector<std::string>& files) {
-    return Assembler(source, files).assemble(name, defines);
+                           const Defines& defines, std::vector<std::string>& files, int version) {
+    return Assembler(source, files).assemble(name, defines, version);
 }
 
 std::string nameFilesInLog(std::string_view log, const std::vector<std::string>& files) {

@@ -28,10 +28,10 @@ inline Defines with(Defines defines, const char* name, const char* value) {
     return defines;
 }
 
-/// The full text of a shader: `#version 410 core`, the defines, then the file with each `#include
-/// "name"` (names relative to glsl/) replaced once, with #line directives. Includes are replaced
-/// before the preprocessor looks at conditions: keep them out of #if. `#pragma once` is dropped,
-/// every file being included once anyway.
+/// The full text of a shader: `#version 410 core` (or `version`), the defines, then the file with
+/// each `#include "name"` (names relative to glsl/) replaced once, with #line directives. Includes
+/// are replaced before the preprocessor looks at conditions: keep them out of #if. `#pragma once`
+/// is dropped, every file being included once anyway.
 ///
 /// `files` receives the name behind each source-string number. It is appended to: give the stages
 /// of one program the same vector, and a number means one file in all of them.
@@ -39,7 +39,7 @@ inline Defines with(Defines defines, const char* name, const char* value) {
 /// Throws std::runtime_error naming the file and line of an include that is not there, or of a
 /// `#version`.
 std::string assembleShader(const ShaderSource&, std::string_view name, const Defines&,
-                           std::vector<std::string>& files);
+                           std::vector<std::string>& files, int version = 410);
 
 /// A driver's log with file names in place of source-string numbers. Knows the formats of Mesa
 /// "3:12(5): error: …", NVIDIA "3(12) : error …" and of Apple, AMD and Intel "ERROR: 3:12: …";

@@ -57,6 +57,22 @@ void TouchedBindings::note(int binding) {
     uniforms_.push_back({index, static_cast<GLuint>(buffer), start, size});
 }
 
+void TouchedBindings::noteImage(int unit) {
+    assert(unit >= 0 && unit < kImages);
+    auto seen = imagesSeen_[static_cast<std::size_t>(unit)];
+    if (seen) return;
+    seen = true;
+    const auto index = static_cast<GLuint>(unit);
+    const auto get = [&](GLenum what) {
+        GLint value = 0;
+        glGetIntegeri_v(what, index, &value);
+        return value;
+    };
+    images_.push_back({index, get(GL_IMAGE_BINDING_NAME), get(GL_IMAGE_BINDING_LEVEL),
+                       get(GL_IMAGE_BINDING_LAYERED), get(GL_IMAGE_BINDING_LAYER),
+                       get(GL_IMAGE_BINDING_ACCESS), get(GL_IMAGE_BINDING_FORMAT)});
+}
+
 void TouchedBindings::end() {
     for (const BoundTexture& before : textures_) {
         glActiveTexture(before.unit);
@@ -72,6 +88,12 @@ void TouchedBindings::end() {
             glBindBufferRange(GL_UNIFORM_BUFFER, before.binding, before.buffer,
                               static_cast<GLintptr>(before.start),
                               static_cast<GLsizeiptr>(before.size));
+    for (const BoundImage& before : images_)
+        glBindImageTexture(before.unit, static_cast<GLuint>(before.texture), before.level,
+                           before.layered != 0, before.layer, static_cast<GLenum>(before.access),
+                           static_cast<GLenum>(before.format));
+    images_.clear();
+    imagesSeen_.reset();
     textures_.clear();
     samplers_.clear();
     uniforms_.clear();

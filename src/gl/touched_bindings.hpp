@@ -7,8 +7,9 @@
 
 namespace sunder::gl {
 
-/// What a host has bound to the texture units and uniform blocks that Sunder uses, noted when
-/// Sunder first uses one during a Visit: most of a context's hundreds of bindings it never does.
+/// What a host has bound to the texture units, uniform blocks and images that Sunder uses, noted
+/// when Sunder first uses one during a Visit: most of a context's hundreds of bindings it never
+/// does.
 class TouchedBindings {
   public:
     enum class Mode {
@@ -25,14 +26,19 @@ class TouchedBindings {
     void uniforms(int binding) {
         if (mode_ == Mode::Noted) note(binding);
     }
+    /// Before Sunder binds a texture to the image unit.
+    void image(int unit) {
+        if (mode_ == Mode::Noted) noteImage(unit);
+    }
     /// Puts back what was noted, and ends. Changes the active unit and the generic uniform buffer.
     void end();
 
-    static constexpr int kUnits = 64, kTargets = 4, kUniformBlocks = 16;
+    static constexpr int kUnits = 64, kTargets = 4, kUniformBlocks = 16, kImages = 8;
 
   private:
     void note(int unit, GLenum target);
     void note(int binding);
+    void noteImage(int unit);
 
     struct BoundTexture {
         GLenum unit, target;
@@ -45,13 +51,19 @@ class TouchedBindings {
         GLuint binding, buffer;
         GLint64 start, size;
     };
+    struct BoundImage {
+        GLuint unit;
+        GLint texture, level, layered, layer, access, format;
+    };
     Mode mode_ = Mode::Off;
     std::bitset<kUnits> unitsSeen_;
     std::bitset<kUniformBlocks> blocksSeen_;
+    std::bitset<kImages> imagesSeen_;
     std::array<std::bitset<kUnits>, kTargets> texturesSeen_;
     std::vector<BoundTexture> textures_;
     std::vector<BoundSampler> samplers_;
     std::vector<BoundUniforms> uniforms_;
+    std::vector<BoundImage> images_;
 };
 
 }  // namespace sunder::gl

@@ -17,7 +17,7 @@ constexpr const char* kSamplers[kUnitCount] = {
     "regions",      "exposed",       "grid",         "partners",   "summaries",
     "hastes",       "freeMotions",   "sphereForces", "objects",    "motion",
     "sleepers",     "touchCounts",   "impulses",     "knownBonds", "pushes",
-    "pushesBefore", "pushesEarlier", "partings",     "released"};
+    "pushesBefore", "pushesEarlier", "partings",     "released",   "cellGroups"};
 constexpr int kLawBinding = 0;
 
 }  // namespace

@@ -42,6 +42,7 @@ enum Unit {
     kPushesEarlier,
     kPartings,
     kReleased,
+    kCellGroups,
     kUnitCount
 };
 

@@ -24,9 +24,10 @@ int stressLayers(const World& world) {
 
 }  // namespace
 
-GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
+GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers, Stage stage)
     : world_(world),
       buffers_(buffers),
+      stage_((stage == Stage::Compute ? requireCompute() : void(), stage)),
       breakable_(world.breakable()),
       columns_(texelColumns(world.cellCount())),
       events_(world),
@@ -36,8 +37,8 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
              TexelTarget(world.cellCount(), columns_, 2, "bonds")},
       forces_(world.cellCount(), columns_, kCorners, "forces"),
       links_(world.cellCount(), columns_, SUNDER_LINK_TEXELS, "links"),
-      forceProgram_(forces_.program(world, "gather/element.frag", {{"STRESSES", "0"}})),
-      linkProgram_(links_.program(world, "gather/links.frag")),
+      forcePass_(stage, forces_, world, "gather/element.frag", {{"STRESSES", "0"}}),
+      linkPass_(stage, links_, world, "gather/links.frag"),
       plainNodes_(nodePass("0")),
       pushedNodes_(nodePass("1")),
       stillBondProgram_(bonds_[0].program(world, "gather/still.frag", {{"NODES", "0"}})),
@@ -46,14 +47,14 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
           nodes_[0].program(world, "gather/still.frag", {{"NODES", "1"}, {"FIRST", "4"}})},
       book_(world),
       released_(world),
-      awake_(world.bodies().size(), "awake cells"),
+      awake_(stage, world.bodies().size(), "awake cells"),
       monitor_(world, columns_, events_.schedule()) {
     if (breakable_) {
         const gl::Defines defines = breakDefines(world);
-        stressProgram_ =
-            nodes_[0].program(world, "gather/element.frag", gl::with(defines, "STRESSES", "1"));
-        bondProgram_ = bonds_[0].program(world, "gather/fracture.frag", defines);
-        bondWatchUniform_ = bondProgram_.uniform("newWatch");
+        stressPass_ = CellPass(stage, nodes_[0], world, "gather/element.frag",
+                               gl::with(defines, "STRESSES", "1"));
+        bondPass_ = CellPass(stage, bonds_[0], world, "gather/fracture.frag", defines);
+        bondWatchUniform_ = bondPass_.program().uniform("newWatch");
     }
     if (world.description().contact)
         contact_.emplace(world, columns_, ContactPass::Storage::Textures);
@@ -65,12 +66,13 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers)
 GatherSolver::NodePass GatherSolver::nodePass(const char* events) const {
     NodePass pass;
     constexpr const char* first[kNodeParts] = {"0", "4"};
-    for (std::size_t part = 0; part < kNodeParts; ++part) {
-        gl::Program& program = pass.programs[part];
-        program = nodes_[0].program(world_, "gather/node.frag",
+    for (int part = 0; part < nodeParts(); ++part) {
+        pass.parts[part] = CellPass(stage_, nodes_[0], world_, "gather/node.frag",
                                     {{"EVENTS", events},
                                      {"ROOM", world_.description().room ? "1" : "0"},
-                                     {"FIRST", first[part]}});
+                                     {"FIRST", first[part]}},
+                                    kCorners);
+        const gl::Program& program = pass.parts[part].program();
         pass.newWatch[part] = program.uniform("newWatch");
         pass.stepInFrame[part] = program.uniform("stepInFrame");
     }
@@ -140,7 +142,7 @@ void GatherSolver::advanceOne(bool events, int stepInFrame) {
     if (step_ % monitor_.interval() == 0) watch();
     {
         const TimedPass timed(passTimer_, "elements");
-        forces_.fill(forceProgram_, awake_);
+        forcePass_.run(forces_, awake_);
     }
     observe(passObserver_, "elements", forces_, world_.cellCount(), kCorners);
     if (contact_) addContacts();
@@ -182,7 +184,7 @@ void GatherSolver::addObjects(bool events, int stepInFrame) {
 }
 
 bool GatherSolver::moving() const {
-    return awake_.rectangles() > 0 || (objects_ && book_.holdsAny() && objects_->anyAwake());
+    return !awake_.empty() || (objects_ && book_.holdsAny() && objects_->anyAwake());
 }
 
 /// Stresses live for one pass: in the node textures that this step is about to fill.
@@ -190,21 +192,21 @@ void GatherSolver::updateBonds() {
     const TexelTarget& scratch = nodes_[1 - currentNodes_];
     {
         const TimedPass timed(passTimer_, "stresses");
-        scratch.fill(stressProgram_, awake_);
+        stressPass_.run(scratch, awake_);
         gl::bindTexture(kStresses, GL_TEXTURE_2D_ARRAY, scratch.texture());
     }
     observe(passObserver_, "stresses", scratch, world_.cellCount(), stressLayers(world_));
     const TimedPass timed(passTimer_, "bonds");
-    bondProgram_.use();
+    bondPass_.program().use();
     glUniform1i(bondWatchUniform_, std::exchange(newBondWatch_, false));
     currentBonds_ = 1 - currentBonds_;
-    bonds_[currentBonds_].fill(bondProgram_, awake_);
+    bondPass_.run(bonds_[currentBonds_], awake_);
     gl::bindTexture(kBonds, GL_TEXTURE_2D_ARRAY, bonds_[currentBonds_].texture());
 }
 
 void GatherSolver::updateLinks() {
     const TimedPass timed(passTimer_, "links");
-    links_.fill(linkProgram_, awake_);
+    linkPass_.run(links_, awake_);
     observe(passObserver_, "links", links_, world_.cellCount(), SUNDER_LINK_TEXELS);
 }
 
@@ -212,11 +214,11 @@ void GatherSolver::updateNodes(bool events, int stepInFrame) {
     const TimedPass timed(passTimer_, "nodes");
     const NodePass& pass = events ? pushedNodes_ : plainNodes_;
     currentNodes_ = 1 - currentNodes_;
-    for (int part = 0; part < kNodeParts; ++part) {
-        pass.programs[part].use();
+    for (int part = 0; part < nodeParts(); ++part) {
+        pass.parts[part].program().use();
         glUniform1i(pass.newWatch[part], newNodeWatch_);
         if (events) glUniform1f(pass.stepInFrame[part], static_cast<float>(stepInFrame));
-        nodes_[currentNodes_].fill(pass.programs[part], awake_, part);
+        pass.parts[part].run(nodes_[currentNodes_], awake_, part);
     }
     newNodeWatch_ = false;
     gl::bindTexture(kNodes, GL_TEXTURE_2D_ARRAY, nodes_[currentNodes_].texture());

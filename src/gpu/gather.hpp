@@ -5,6 +5,7 @@
 
 #include "core/body_book.hpp"
 #include "core/body_host.hpp"
+#include "gpu/cell_pass.hpp"
 #include "gpu/contact_pass.hpp"
 #include "gpu/event_buffer.hpp"
 #include "gpu/feedback.hpp"
@@ -31,9 +32,12 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
   public:
     /// Throws InputError when the world is too large for the device. `world` and `buffers` must
     /// outlive it.
-    GatherSolver(const core::World& world, const WorldBuffers& buffers);
+    GatherSolver(const core::World& world, const WorldBuffers& buffers)
+        : GatherSolver(world, buffers, Stage::Fragment) {}
 
-    std::string_view name() const override { return "gather"; }
+    std::string_view name() const override {
+        return stage_ == Stage::Fragment ? "gather" : "compute";
+    }
     void advance(int steps) override;
     void finish() override;
     core::State state() const override;
@@ -61,6 +65,10 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     void show(int body, const core::State& state);
     void showObjects(const core::State& state);
 
+  protected:
+    /// Throws InputError where the context has not what the stage needs.
+    GatherSolver(const core::World& world, const WorldBuffers& buffers, Stage stage);
+
   private:
     /// A texture buffer that layers are copied to, one after the other, for drawing.
     struct Copy {
@@ -70,13 +78,15 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     };
 
     static constexpr int kNodeParts = 2;  ///< a fragment writes four nodes of its cell
-    /// The programs for either half of a cell's nodes.
+    /// The passes for either half of a cell's nodes; an invocation has one node, and so the first
+    /// has all of them.
     struct NodePass {
-        std::array<gl::Program, kNodeParts> programs;
+        std::array<CellPass, kNodeParts> parts;
         std::array<GLint, kNodeParts> newWatch, stepInFrame;
     };
 
     NodePass nodePass(const char* events) const;
+    int nodeParts() const { return stage_ == Stage::Fragment ? kNodeParts : 1; }
     void bindInputs() const;
     void write(TexelRange cells, const core::State& state);
     void read(TexelRange cells, core::State& state) const;
@@ -133,6 +143,7 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
 
     const core::World& world_;
     const WorldBuffers& buffers_;
+    Stage stage_;
     std::int64_t step_ = 0;
     bool breakable_;
     int columns_;  ///< of all textures
@@ -144,7 +155,7 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     TexelTarget links_;                        ///< LinkRecord
     int currentNodes_ = 0, currentBonds_ = 0;  ///< read; the other is written
     Copy drawnNodes_, drawnDamage_;
-    gl::Program forceProgram_, stressProgram_, bondProgram_, linkProgram_;
+    CellPass forcePass_, stressPass_, bondPass_, linkPass_;
     NodePass plainNodes_, pushedNodes_;
     gl::Program stillBondProgram_;
     std::array<gl::Program, kNodeParts> stillNodePrograms_;
@@ -152,7 +163,7 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
 
     core::BodyBook book_;
     ReleasedBodies released_;
-    TexelRanges awake_;
+    CellSet awake_;
     std::optional<ContactPass> contact_;
     std::optional<ObjectPass> objects_;
     std::int64_t droppedContacts_ = 0;
@@ -162,6 +173,15 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     RestMonitor monitor_;
     bool newNodeWatch_ = true, newBondWatch_ = true;  ///< no step, no update since the last look
     std::int64_t nextWake_ = 0;  ///< no event acts on what sleeps before this step
+};
+
+/// The same with compute shaders for all that is done per cell and node: on GPUs whose rasterisers
+/// are the lesser part, several times as fast. Contact, objects and what looks for rest are drawn.
+class ComputeSolver : public GatherSolver {
+  public:
+    /// Throws InputError, naming `gather`, where the context is older than GL 4.3.
+    ComputeSolver(const core::World& world, const WorldBuffers& buffers)
+        : GatherSolver(world, buffers, Stage::Compute) {}
 };
 
 }  // namespace sunder::gpu

@@ -60,10 +60,10 @@ void GatherSolver::releaseAnchors(int body) {
 
 void GatherSolver::relink(int body) {
     const TexelRange cells = cellsOf(world_, body);
-    TexelRanges own(1, "a body's cells");
+    CellSet own(stage_, 1, "a body's cells");
     own.set({&cells, 1}, columns_);
     bindInputs();
-    links_.fill(linkProgram_, own);
+    linkPass_.run(links_, own);
 }
 
 void GatherSolver::wakeAround(int body, const std::vector<RestBox>& own) {

@@ -218,9 +218,9 @@ void GatherSolver::follow() {
     bodiesChanged();
     bindInputs();
     const TexelRange every{0, world_.cellCount()};
-    TexelRanges cells(1, "all cells");
+    CellSet cells(stage_, 1, "all cells");
     cells.set({&every, 1}, columns_);
-    links_.fill(linkProgram_, cells);
+    linkPass_.run(links_, cells);
 }
 
 void GatherSolver::adopt(const std::vector<int>& bodies, const State& state) {
@@ -245,10 +245,10 @@ void GatherSolver::adopt(const std::vector<int>& bodies, const State& state) {
     }
     bodiesChanged();
     if (cells.empty()) return;
-    TexelRanges adopted(cells.size(), "adopted cells");
+    CellSet adopted(stage_, cells.size(), "adopted cells");
     adopted.set(cells, columns_);
     bindInputs();
-    links_.fill(linkProgram_, adopted);
+    linkPass_.run(links_, adopted);
 }
 
 void GatherSolver::release(const std::vector<int>& bodies, State& state) {

@@ -34,6 +34,10 @@ const std::vector<sim::SolverInfo>& solvers() {
              [](const sim::Layout& layout, const cpu::Threads&) {
                  return make<gpu::GatherSolver>(layout);
              }},
+            {"compute", "GPU: gather's passes as compute shaders (GL 4.3)", true, false,
+             [](const sim::Layout& layout, const cpu::Threads&) {
+                 return make<gpu::ComputeSolver>(layout);
+             }},
             {"scatter",
              "GPU, the thesis's method: additive blending and transform feedback (GL 4.1)", true,
              false,

@@ -229,8 +229,8 @@ struct WorldOptions {
     Device* device = nullptr;
     /// The host's threads; null: oneTBB's, of an arena of its own. It must outlive the world.
     const TaskSystem* tasks = nullptr;
-    /// By which solver: "cpu" or "reference"; with a device "gather", "scatter" or "auto", too
-    /// (docs/solvers.md). Empty: "gather" with a device, else "cpu".
+    /// By which solver: "cpu" or "reference"; with a device "gather", "compute", "scatter" or
+    /// "auto", too (docs/solvers.md). Empty: "gather" with a device, else "cpu".
     std::string_view solver{};
     int threads = 0;       ///< Of a solver with threads, 1 to 1024; 0: as many as there are cores.
     int incidents = 4096;  ///< How many are kept until they are taken, 0 (none) to 1e6.

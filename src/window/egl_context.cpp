@@ -138,16 +138,20 @@ EGLContext makeContext(const Display& display, EGLConfig config, Profile profile
 class OwnedContext {
   public:
     OwnedContext(const Display& display, Profile profile) : display_(display.id()) {
-        const auto [major, minor] = display.version();
-        if (std::pair(major, minor) < std::pair(1, 5))
-            throw DeviceError("the driver offers EGL " + std::to_string(major) + "." +
-                              std::to_string(minor) + ", Sunder needs 1.5");
+        const auto version = display.version();
+        if (version < std::pair(1, 5))
+            throw DeviceError("the driver offers EGL " + std::to_string(version.first) + "." +
+                              std::to_string(version.second) + ", Sunder needs 1.5");
         if (!display.has("EGL_KHR_surfaceless_context"))
             throw DeviceError("the driver lacks EGL_KHR_surfaceless_context");
         if (!eglBindAPI(EGL_OPENGL_API)) fail("eglBindAPI(EGL_OPENGL_API)");
         const EGLConfig config = anyConfig(display);
-        id_ = makeContext(display, config, profile, 4, 1, true, true);
-        if (id_ == EGL_NO_CONTEXT) id_ = makeContext(display, config, profile, 4, 1, true, false);
+        id_ = EGL_NO_CONTEXT;
+        // 4.3 for the solver `compute`; all else needs 4.1.
+        for (const EGLint minor : {3, 1})
+            for (const bool told : {true, false})
+                if (id_ == EGL_NO_CONTEXT)
+                    id_ = makeContext(display, config, profile, 4, minor, true, told);
         // An older context is made only so that Context::initialise() can say which version there
         // is.
         if (id_ == EGL_NO_CONTEXT) {

@@ -44,8 +44,8 @@ Key keyOf(int key, int scancode) {
     return key > ' ' && key < 128 ? static_cast<Key>(key) : Key::None;
 }
 
-GLFWwindow* makeWindow(const Window::Options& options, bool told) {
-    hintContext(Profile::Core, 4, 1, true, told);
+GLFWwindow* makeWindow(const Window::Options& options, int minor, bool told) {
+    hintContext(Profile::Core, 4, minor, true, told);
     // Pictures are drawn into a target of their own and copied: samples and depth are there.
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
@@ -123,8 +123,11 @@ class GlfwWindow final : public Window {
     void bindContext() override { glfwMakeContextCurrent(handle()); }
 
     struct Handle {
-        explicit Handle(const Options& options) : handle(makeWindow(options, true)) {
-            if (!handle) handle = makeWindow(options, false);
+        explicit Handle(const Options& options) : handle(nullptr) {
+            // 4.3 for the solver `compute`; all else needs 4.1.
+            for (const int minor : {3, 1})
+                for (const bool told : {true, false})
+                    if (!handle) handle = makeWindow(options, minor, told);
             if (!handle)
                 throw DeviceError(
                     "a window with OpenGL 4.1 core cannot be opened: " + glfwErrorText() + kAdvice);

@@ -61,6 +61,7 @@ std::unique_ptr<Solver> makeChecked(const World& world) {
 
 std::vector<SolverUnderTest> gpuSolvers() {
     return {{"gather", makeChecked<gpu::GatherSolver>, 6e-8, true, true},
+            {"compute", makeChecked<gpu::ComputeSolver>, 6e-8, true, true},
             {"auto", makeChecked<balance::BalancedSolver>, 6e-8, true, true},
             {"scatter", makeChecked<gpu::ScatterSolver>, 6e-8, false, true}};
 }

@@ -116,6 +116,9 @@ TEST_CASE("no state of a host's changes what gather computes, nor is it changed"
 TEST_CASE("no state of a host's changes what scatter computes, nor is it changed") {
     checkEverySetting<gpu::ScatterSolver>(window::Profile::Core);
 }
+TEST_CASE("no state of a host's changes what compute computes, nor is it changed") {
+    checkEverySetting<gpu::ComputeSolver>(window::Profile::Core);
+}
 
 TEST_CASE("nor does what only a compatibility profile has", "[long]") {
     std::unique_ptr<window::Context> context;
@@ -133,6 +136,7 @@ TEST_CASE("nor does what only a compatibility profile has", "[long]") {
 
 TEST_CASE("solvers made in the worst of contexts compute the same") {
     checkMadeIn<gpu::GatherSolver>({});
+    checkMadeIn<gpu::ComputeSolver>({});
     checkMadeIn<gpu::ScatterSolver>({});
 }
 TEST_CASE("solvers made in any state of a context compute the same", "[long]") {

@@ -206,6 +206,9 @@ void HostileHost::reset() {
     for (const GLenum hint : {GL_LINE_SMOOTH_HINT, GL_POLYGON_SMOOTH_HINT,
                               GL_TEXTURE_COMPRESSION_HINT, GL_FRAGMENT_SHADER_DERIVATIVE_HINT})
         glHint(hint, GL_DONT_CARE);
+    if (glBindImageTexture)
+        for (int unit = 0; unit < integer(GL_MAX_IMAGE_UNITS); ++unit)
+            glBindImageTexture(static_cast<GLuint>(unit), 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R8);
     for (int unit = integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS) - 1; unit >= 0; --unit) {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
         for (const GLenum target : kTargets) glBindTexture(target, 0);

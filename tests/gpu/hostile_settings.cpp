@@ -39,6 +39,12 @@ void bindSamplers(Host& host) {
     for (int unit = 0; unit < integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS); ++unit)
         glBindSampler(static_cast<GLuint>(unit), host.sampler);
 }
+void bindImages(Host& host) {
+    if (!glBindImageTexture) return;
+    for (int unit = 0; unit < integer(GL_MAX_IMAGE_UNITS); ++unit)
+        glBindImageTexture(static_cast<GLuint>(unit), host.plain, 0, GL_FALSE, 0, GL_READ_WRITE,
+                           GL_RGBA8);
+}
 void blendStrangely(Host&) {
     glEnable(GL_BLEND);
     glBlendColor(0.1f, 0.2f, 0.3f, 0.4f);
@@ -246,6 +252,7 @@ const Setting kSettings[] = {
     {"hints and smooth edges", setHints},
     {"seamless cube maps", enable<GL_TEXTURE_CUBE_MAP_SEAMLESS>},
     {"samplers on every unit", bindSamplers},
+    {"images on every unit", bindImages},
     {"textures on every unit", bindEveryUnit},
     {"buffers everywhere", bindBuffersEverywhere},
     {"program, pipeline, vertex array", useObjects},

@@ -4,38 +4,38 @@ using namespace sunder;
 
 namespace {
 
-int count = 0;
+int objectsAlive = 0;
 gl::Functions original;
 
 template <auto Make>
 void GLAD_API_PTR makeSeveral(GLsizei number, GLuint* names) {
-    count += number;
+    objectsAlive += number;
     (original.*Make)(number, names);
 }
 template <auto Delete>
 void GLAD_API_PTR deleteSeveral(GLsizei number, const GLuint* names) {
-    for (GLsizei i = 0; i < number; ++i) count -= names[i] != 0;
+    for (GLsizei i = 0; i < number; ++i) objectsAlive -= names[i] != 0;
     (original.*Delete)(number, names);
 }
 template <auto Delete>
 void GLAD_API_PTR deleteOne(GLuint name) {
-    count -= name != 0;
+    objectsAlive -= name != 0;
     (original.*Delete)(name);
 }
 GLuint GLAD_API_PTR makeProgram() {
-    ++count;
+    ++objectsAlive;
     return original.CreateProgram();
 }
 GLuint GLAD_API_PTR makeShader(GLenum stage) {
-    ++count;
+    ++objectsAlive;
     return original.CreateShader(stage);
 }
 GLsync GLAD_API_PTR makeSync(GLenum condition, GLbitfield flags) {
-    ++count;
+    ++objectsAlive;
     return original.FenceSync(condition, flags);
 }
 void GLAD_API_PTR deleteSync(GLsync sync) {
-    count -= sync != nullptr;
+    objectsAlive -= sync != nullptr;
     original.DeleteSync(sync);
 }
 
@@ -50,7 +50,7 @@ void countKind(F& functions) {
 }  // namespace
 
 ObjectCount::ObjectCount(gl::Functions& functions) : functions_(functions), before_(functions) {
-    count = 0;
+    objectsAlive = 0;
     original = functions;
     countKind<&F::GenBuffers, &F::DeleteBuffers>(functions);
     countKind<&F::GenTextures, &F::DeleteTextures>(functions);
@@ -74,5 +74,5 @@ ObjectCount::~ObjectCount() {
 }
 
 int ObjectCount::alive() const {
-    return count;
+    return objectsAlive;
 }

@@ -156,6 +156,9 @@ const Name kOfEachViewport[] = {NAME(GL_VIEWPORT), NAME(GL_DEPTH_RANGE), NAME(GL
                                 NAME(GL_SCISSOR_TEST)};
 const Name kOfEachUniformBlock[] = {NAME(GL_UNIFORM_BUFFER_BINDING), NAME(GL_UNIFORM_BUFFER_START),
                                     NAME(GL_UNIFORM_BUFFER_SIZE)};
+const Name kOfEachImage[] = {NAME(GL_IMAGE_BINDING_NAME),    NAME(GL_IMAGE_BINDING_LEVEL),
+                             NAME(GL_IMAGE_BINDING_LAYERED), NAME(GL_IMAGE_BINDING_LAYER),
+                             NAME(GL_IMAGE_BINDING_ACCESS),  NAME(GL_IMAGE_BINDING_FORMAT)};
 const Name kOfEachFeedbackBuffer[] = {NAME(GL_TRANSFORM_FEEDBACK_BUFFER_BINDING),
                                       NAME(GL_TRANSFORM_FEEDBACK_BUFFER_START),
                                       NAME(GL_TRANSFORM_FEEDBACK_BUFFER_SIZE)};
@@ -211,6 +214,7 @@ class Dumper {
         addIndexed(kOfFirstViewport, 1);
         addIndexed(kOfEachUniformBlock, most(GL_MAX_UNIFORM_BUFFER_BINDINGS));
         addIndexed(kOfEachFeedbackBuffer, 4);
+        addIndexed(kOfEachImage, most(GL_MAX_IMAGE_UNITS));
         const Name sampleMask[] = {{"GL_SAMPLE_MASK_VALUE", GL_SAMPLE_MASK_VALUE}};
         addIndexed(sampleMask, 1);
         addUnits();
@@ -225,6 +229,7 @@ class Dumper {
     static int most(GLenum name) {
         GLint value = 0;
         glGetIntegerv(name, &value);
+        drainErrors();  // where there is no such limit
         return value;
     }
     static bool drainErrors() {

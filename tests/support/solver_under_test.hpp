@@ -40,12 +40,12 @@ inline std::vector<SolverUnderTest> exactSolvers() {
     return result;
 }
 
-/// Those whose contact is their own, for what takes long: scatter finds and answers contacts in
-/// gather's passes, in five times the time, and auto is cpu or gather. Short tests hold for all.
+/// Those whose contact is their own, for what takes long: scatter and compute find and answer
+/// contacts in gather's passes, and auto is cpu or gather. Short tests hold for all.
 inline std::vector<SolverUnderTest> contactSolvers() {
     std::vector<SolverUnderTest> result = touchingSolvers();
     std::erase_if(result, [](const SolverUnderTest& under) {
-        return under.name == "scatter" || under.name == "auto";
+        return under.name == "scatter" || under.name == "auto" || under.name == "compute";
     });
     return result;
 }

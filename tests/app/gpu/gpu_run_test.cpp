@@ -190,6 +190,17 @@ TEST_CASE("App: without OpenGL 4.1 one sentence and exit code 3, and nothing is 
     CHECK(place.contents() == std::set<std::string>{"wall.toml"});
 }
 
+TEST_CASE("App: the solver compute without OpenGL 4.3 is refused, and gather named instead") {
+    const Workplace place;
+    place.write("wall.toml", scenes::kFalling);
+    const Workplace::Environment old{{"MESA_GL_VERSION_OVERRIDE", "4.1"},
+                                     {"SUNDER_EGL_DEVICE", "software"}};
+    const Result result = place.run({"run", "wall.toml", "--solver", "compute", "--out", "o"}, old);
+    checkRefused(result, 2, {"compute needs OpenGL 4.3", "4.1", "use the solver gather"});
+    CHECK(place.contents() == std::set<std::string>{"wall.toml"});
+    CHECK(place.run({"run", "wall.toml", "--solver", "gather", "--out", "o"}, old).exitCode == 0);
+}
+
 TEST_CASE("App: --out that is a file is refused also where pictures are wanted") {
     const Workplace place;
     place.write("wall.toml", scenes::kFalling);
