@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "gl/vertex_array.hpp"
 #include "gpu/layout.hpp"
 
 namespace sunder::gpu {
@@ -17,14 +18,12 @@ BondPass::BondPass(const World& world, int textureColumns)
                     .feedback = {"newMasks", "newInverseMassLow", "newInverseMassHigh"}}),
       linkBuffer_(sizeof(LinkRecord) * world.cellCount(), nullptr, GL_DYNAMIC_COPY, "links"),
       linkTexture_(gl::makeBufferTexture(linkBuffer_, GL_RGBA32F, "links")),
-      bonds_{{{BondBuffer(world), gl::makeVertexArray()},
-              {BondBuffer(world), gl::makeVertexArray()}}} {
-    for (const Side& side : bonds_) {
-        glBindVertexArray(side.attributes.id());
-        glBindBuffer(GL_ARRAY_BUFFER, side.bonds.buffer().id());
-        floatAttribute(0, 4, sizeof(BondRecord), offsetof(BondRecord, damage));
-        floatAttribute(1, 4, sizeof(BondRecord), offsetof(BondRecord, slow));
-    }
+      bonds_{{{BondBuffer(world), {}}, {BondBuffer(world), {}}}} {
+    for (Side& side : bonds_)
+        side.attributes = gl::makeVertexArray({{side.bonds.buffer(),
+                                                sizeof(BondRecord),
+                                                {{0, 4, GL_FLOAT, offsetof(BondRecord, damage)},
+                                                 {1, 4, GL_FLOAT, offsetof(BondRecord, slow)}}}});
     setConstants(fractureProgram_, world, textureColumns);
     setConstants(linkProgram_, world, textureColumns);
 }

@@ -42,9 +42,9 @@ CellPass::CellPass(Stage stage, const TexelTarget& target, const World& world, c
         program_ = target.program(world, file, std::move(defines));
         return;
     }
-    program_ = gl::Program({.compute = file,
-                            .defines = withTurned(gl::with(std::move(defines), "COMPUTE", "1"),
-                                                  world.anyTurned())});
+    program_ = gl::Program(
+        {.compute = file,
+         .defines = withTurned(gl::with(std::move(defines), "COMPUTE", "1"), world.anyTurned())});
     setConstants(program_, world, target.columns());
     glUniform1i(program_.uniform("target"), kTargetImage);
 }

@@ -57,12 +57,6 @@ void bindWorld(const WorldBuffers& buffers) {
     gl::bindUniforms(kLawBinding, buffers.laws());
 }
 
-void floatAttribute(GLuint location, int components, std::size_t stride, std::size_t offset) {
-    glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                          reinterpret_cast<const void*>(offset));
-}
-
 gl::Framebuffer makeTarget(std::initializer_list<const gl::Texture*> textures) {
     gl::Framebuffer framebuffer = gl::makeFramebuffer();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());

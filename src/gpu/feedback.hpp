@@ -55,9 +55,6 @@ void setConstants(const gl::Program& program, const core::World& world, int text
 /// these units since.
 void bindWorld(const WorldBuffers& buffers);
 
-/// One enabled float attribute of `components` at `location` in the bound vertex array and buffer.
-void floatAttribute(GLuint location, int components, std::size_t stride, std::size_t offset);
-
 /// A framebuffer with these colour attachments. Throws DeviceError when the driver cannot draw
 /// into them.
 gl::Framebuffer makeTarget(std::initializer_list<const gl::Texture*> textures);

@@ -7,6 +7,7 @@
 
 #include "core/archive.hpp"
 #include "core/tetrahedra.hpp"
+#include "gl/vertex_array.hpp"
 #include "gpu/body_ranges.hpp"
 #include "gpu/layout.hpp"
 #include "gpu/observed_pass.hpp"
@@ -47,16 +48,14 @@ ScatterSolver::ScatterSolver(const World& world, const WorldBuffers& buffers)
       breakable_(world.breakable()),
       bonds_(world, width_),
       events_(world),
-      nodes_{
-          {{NodeBuffer(world), gl::makeVertexArray()}, {NodeBuffer(world), gl::makeVertexArray()}}},
-      elementAttributes_(gl::makeVertexArray()),
+      nodes_{{{NodeBuffer(world), {}}, {NodeBuffer(world), {}}}},
       noAttributes_(gl::makeVertexArray()) {
-    for (const NodeSide& side : nodes_) {
-        glBindVertexArray(side.attributes.id());
-        glBindBuffer(GL_ARRAY_BUFFER, side.nodes.buffer().id());
-        floatAttribute(0, 4, sizeof(NodeRecord), offsetof(NodeRecord, displacement));
-        floatAttribute(1, 4, sizeof(NodeRecord), offsetof(NodeRecord, velocity));
-    }
+    for (NodeSide& side : nodes_)
+        side.attributes =
+            gl::makeVertexArray({{side.nodes.buffer(),
+                                  sizeof(NodeRecord),
+                                  {{0, 4, GL_FLOAT, offsetof(NodeRecord, displacement)},
+                                   {1, 4, GL_FLOAT, offsetof(NodeRecord, velocity)}}}});
     makeElementBuffer();
     makeTargets();
     if (world.description().contact) {
@@ -89,13 +88,13 @@ void ScatterSolver::makeElementBuffer() {
                     element.inverseRest[column][row] = static_cast<float>(inverse(row, column));
         }
     elementBuffer_ = gl::makeBuffer<ElementVertex>(elements, GL_STATIC_DRAW, "finite elements");
-    glBindVertexArray(elementAttributes_.id());
-    glBindBuffer(GL_ARRAY_BUFFER, elementBuffer_.id());
-    glEnableVertexAttribArray(0);
-    glVertexAttribIPointer(0, 4, GL_INT, sizeof(ElementVertex), nullptr);
+    gl::VertexInput input{
+        elementBuffer_, sizeof(ElementVertex), {{0, 4, GL_INT, offsetof(ElementVertex, nodes)}}};
     for (GLuint column = 0; column < 3; ++column)
-        floatAttribute(1 + column, 3, sizeof(ElementVertex),
-                       offsetof(ElementVertex, inverseRest) + column * sizeof(glm::vec3));
+        input.attributes.push_back(
+            {1 + column, 3, GL_FLOAT,
+             offsetof(ElementVertex, inverseRest) + column * sizeof(glm::vec3)});
+    elementAttributes_ = gl::makeVertexArray({input});
 }
 
 void ScatterSolver::makeTargets() {

@@ -1,12 +1,11 @@
 #include "render/display_pass.hpp"
 
+#include "gl/vertex_array.hpp"
 #include "render/shading.hpp"
 #include "render/uniforms.hpp"
 
 namespace sunder::render {
 namespace {
-
-constexpr GLuint kRestLocation = 0, kPlaceLocation = 1;
 
 gl::ProgramDescription describe(DisplayPass::Output output, bool turned) {
     using Output = DisplayPass::Output;
@@ -45,20 +44,12 @@ DisplayBuffers::DisplayBuffers(const surface::DisplayMesh& mesh)
       opaqueIndices_(mesh.opaqueIndices()),
       vertexBuffer_(gl::makeBuffer(std::span(mesh.vertices()), GL_STATIC_DRAW, "display mesh")),
       indexBuffer_(gl::makeBuffer(std::span(mesh.indices()), GL_STATIC_DRAW, "display mesh")),
-      vertexArray_(gl::makeVertexArray()) {
-    glBindVertexArray(vertexArray_.id());
-    glBindBuffer(GL_ARRAY_BUFFER, vertexBuffer_.id());
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indexBuffer_.id());
-    const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
-    glEnableVertexAttribArray(kRestLocation);
-    glVertexAttribPointer(kRestLocation, 3, GL_FLOAT, GL_FALSE, sizeof(surface::DisplayVertex),
-                          offset(offsetof(surface::DisplayVertex, rest)));
-    glEnableVertexAttribArray(kPlaceLocation);
-    glVertexAttribIPointer(kPlaceLocation, 3, GL_UNSIGNED_INT, sizeof(surface::DisplayVertex),
-                           offset(offsetof(surface::DisplayVertex, cell)));
-    glBindVertexArray(0);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
-}
+      vertexArray_(
+          gl::makeVertexArray({{vertexBuffer_,
+                                sizeof(surface::DisplayVertex),
+                                {{0, 3, GL_FLOAT, offsetof(surface::DisplayVertex, rest)},
+                                 {1, 3, GL_UNSIGNED_INT, offsetof(surface::DisplayVertex, cell)}}}},
+                              &indexBuffer_)) {}
 
 void DisplayBuffers::draw(Part part) const {
     const std::size_t first = part == Part::Opaque ? 0 : opaqueIndices_;

@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "gl/vertex_array.hpp"
 #include "gpu/wall_state.hpp"
 
 namespace sunder::sim_gl {
@@ -34,10 +35,6 @@ std::vector<DeformedMesh::RestVertex> restVertices(const World& world,
                             0});
     }
     return vertices;
-}
-
-const void* at(std::size_t offset) {
-    return reinterpret_cast<const void*>(offset);
 }
 
 }  // namespace
@@ -92,45 +89,29 @@ void DeformedMesh::makeRanges(const World& world, const surface::DisplayMesh& me
 }
 
 void DeformedMesh::makeArrays() {
-    boundArray_ = gl::makeVertexArray();
-    glBindVertexArray(boundArray_.id());
-    glBindBuffer(GL_ARRAY_BUFFER, bound_.id());
     using Bound = surface::DisplayVertex;
-    gpu::floatAttribute(0, 3, sizeof(Bound), offsetof(Bound, rest));
-    glEnableVertexAttribArray(1);
-    glVertexAttribIPointer(1, 3, GL_UNSIGNED_INT, sizeof(Bound), at(offsetof(Bound, cell)));
-    pieceAttribute();
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-
-    drawnArray_ = gl::makeVertexArray();
-    glBindVertexArray(drawnArray_.id());
-    glBindBuffer(GL_ARRAY_BUFFER, deformed_.id());
-    gpu::floatAttribute(kPosition, 3, sizeof(Vertex), offsetof(Vertex, position));
-    gpu::floatAttribute(kNormal, 3, sizeof(Vertex), offsetof(Vertex, normal));
-    gpu::floatAttribute(kTangent, 4, sizeof(Vertex), offsetof(Vertex, tangent));
-    glBindBuffer(GL_ARRAY_BUFFER, rest_.id());
-    gpu::floatAttribute(kPlace, 3, sizeof(RestVertex), offsetof(RestVertex, place));
-    gpu::floatAttribute(kTexCoord, 2, sizeof(RestVertex), offsetof(RestVertex, texCoord));
-    const std::pair<GLuint, std::size_t> whole[] = {{kMaterial, offsetof(RestVertex, material)},
-                                                    {kBody, offsetof(RestVertex, body)},
-                                                    {kCell, offsetof(RestVertex, cell)},
-                                                    {kInside, offsetof(RestVertex, inside)}};
-    for (const auto& [location, offset] : whole) {
-        glEnableVertexAttribArray(location);
-        glVertexAttribIPointer(location, 1, GL_INT, sizeof(RestVertex), at(offset));
-    }
-    pieceAttribute();
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-    glBindVertexArray(0);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
-}
-
-/// Of the bound vertex array.
-void DeformedMesh::pieceAttribute() const {
-    if (pieces_.size() == 0) return;
-    glBindBuffer(GL_ARRAY_BUFFER, pieces_.id());
-    glEnableVertexAttribArray(kPiece);
-    glVertexAttribIPointer(kPiece, 1, GL_INT, sizeof(std::int32_t), nullptr);
+    std::vector<gl::VertexInput> source{{bound_,
+                                         sizeof(Bound),
+                                         {{0, 3, GL_FLOAT, offsetof(Bound, rest)},
+                                          {1, 3, GL_UNSIGNED_INT, offsetof(Bound, cell)}}}};
+    std::vector<gl::VertexInput> drawn{{deformed_,
+                                        sizeof(Vertex),
+                                        {{kPosition, 3, GL_FLOAT, offsetof(Vertex, position)},
+                                         {kNormal, 3, GL_FLOAT, offsetof(Vertex, normal)},
+                                         {kTangent, 4, GL_FLOAT, offsetof(Vertex, tangent)}}},
+                                       {rest_,
+                                        sizeof(RestVertex),
+                                        {{kPlace, 3, GL_FLOAT, offsetof(RestVertex, place)},
+                                         {kTexCoord, 2, GL_FLOAT, offsetof(RestVertex, texCoord)},
+                                         {kMaterial, 1, GL_INT, offsetof(RestVertex, material)},
+                                         {kBody, 1, GL_INT, offsetof(RestVertex, body)},
+                                         {kCell, 1, GL_INT, offsetof(RestVertex, cell)},
+                                         {kInside, 1, GL_INT, offsetof(RestVertex, inside)}}}};
+    if (pieces_.size() > 0)
+        for (std::vector<gl::VertexInput>* inputs : {&source, &drawn})
+            inputs->push_back({pieces_, sizeof(std::int32_t), {{kPiece, 1, GL_INT, 0}}});
+    boundArray_ = gl::makeVertexArray(source, &indices_);
+    drawnArray_ = gl::makeVertexArray(drawn, &indices_);
 }
 
 void DeformedMesh::setPieces(const std::vector<int>& ofCell) {

@@ -70,7 +70,6 @@ class DeformedMesh {
   private:
     void makeRanges(const core::World&, const surface::DisplayMesh&);
     void makeArrays();
-    void pieceAttribute() const;
 
     const gpu::WorldBuffers& buffers_;
     std::vector<int> bodyFirst_;         ///< first vertex of each body, and how many there are
