@@ -14,7 +14,7 @@ static_assert(std::endian::native == std::endian::little);
 void Archive::section(std::string_view what) {
     section_ = what;
     Fnv1a hash;
-    hash.add(std::as_bytes(std::span(what)));
+    hash.add(std::as_bytes(std::span(what.data(), what.size())));
     const auto mark = static_cast<std::uint32_t>(hash.value());
     whole(mark, mark, mark);
 }
