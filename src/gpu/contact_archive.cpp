@@ -4,6 +4,7 @@
 
 #include "core/archive.hpp"
 #include "gpu/contact_pass.hpp"
+#include "gpu/feedback.hpp"
 
 namespace sunder::gpu {
 
