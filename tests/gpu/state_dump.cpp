@@ -8,7 +8,6 @@
 #include "gl/functions.hpp"
 
 using namespace sunder;
-using namespace sunder::core;
 
 namespace {
 
@@ -321,12 +320,12 @@ class Dumper {
              {std::pair{GL_DRAW_FRAMEBUFFER, GL_DRAW_FRAMEBUFFER_BINDING},
               std::pair{GL_READ_FRAMEBUFFER, GL_READ_FRAMEBUFFER_BINDING}}) {
             if (most(static_cast<GLenum>(binding)) == 0) continue;
+            const auto bound = static_cast<GLenum>(target);
             for (const GLenum point : {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1,
                                        GL_DEPTH_ATTACHMENT, GL_STENCIL_ATTACHMENT}) {
                 GLint kind = -77, name = -77;
                 const auto get = [&](GLenum what, GLint* value) {
-                    glGetFramebufferAttachmentParameteriv(static_cast<GLenum>(target), point, what,
-                                                          value);
+                    glGetFramebufferAttachmentParameteriv(bound, point, what, value);
                 };
                 get(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &kind);
                 get(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &name);
