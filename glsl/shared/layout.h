@@ -2,6 +2,8 @@
 // namespace sunder::gpu (src/gpu/layout.hpp), where vec4 and uvec4 are glm's.
 
 #define SUNDER_MAX_ELEMENT_LAWS 256
+// Cells to a work group of a compute shader.
+#define SUNDER_CELL_GROUP 64
 // Cell record, four unsigned integers: the bits below; body; mass of a corner (kg) and
 // contact damping, as bits of floats.
 #define SUNDER_CELL_LAW 511u      // row of the table of laws, or SUNDER_ABSENT
@@ -112,9 +114,6 @@ struct NodeRecord {
     vec4 displacement; // xyz: m from rest; w: rest height, m, carried along for the ground
     vec4 velocity;     // xyz: m/s; w: 0
 };
-
-// Cells to a work group of a compute shader.
-#define SUNDER_CELL_GROUP 64
 
 // One cell in a bond buffer: two texels, or two layers of a texture.
 struct BondRecord {

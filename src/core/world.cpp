@@ -396,8 +396,9 @@ void World::copyBody(const State& from, int body, State& to) const {
     copy(from.slowStress, to.slowStress, 1);
 }
 
-void World::releaseAnchors(State& state, int body) {
-    include(state.released, body);
+void World::releaseAnchors(State& state, int body) const {
+    if (state.has(body) && !description_.bodies[body].anchors.empty())
+        include(state.released, body);
 }
 
 }  // namespace sunder::core

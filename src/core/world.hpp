@@ -126,8 +126,8 @@ class World {
     void setPresent(State& state, int body, bool present) const;
     /// Copies what states say of a body's cells.
     void copyBody(const State& from, int body, State& to) const;
-    /// A body whose anchors let go.
-    static void releaseAnchors(State& state, int body);
+    /// A body whose anchors are to let go, if it is there and has any.
+    void releaseAnchors(State& state, int body) const;
 
     /// 64-bit FNV-1a of all that states and their future depend on: worlds of the same description
     /// have the same one on every machine.

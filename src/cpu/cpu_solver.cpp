@@ -371,7 +371,8 @@ void CpuSolver::releaseAnchors(int body) {
     if (!holds(body)) return;
     bodies_[body]->relink();
     wake(memberOfBody(body));
-    if (!runner_->contact) bodies_[body]->wake();
+    // However calm it was up to now.
+    bodies_[body]->wake();
 }
 
 void CpuSolver::wakeAround(int body) {

@@ -137,7 +137,7 @@ void ReferenceSolver::setPresent(int body, bool present) {
 }
 
 void ReferenceSolver::releaseAnchors(int body) {
-    if (present(body)) World::releaseAnchors(state_, body);
+    world_.releaseAnchors(state_, body);
 }
 
 void ReferenceSolver::setIncidents(IncidentRing* ring) {

@@ -1,6 +1,4 @@
 #pragma once
-#include <optional>
-
 #include "gpu/texel_target.hpp"
 
 namespace sunder::gpu {

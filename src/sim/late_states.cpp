@@ -2,11 +2,10 @@
 
 namespace sunder::sim {
 
-void LateStates::setSolver(const core::Solver& solver) {
+void LateStates::setSolver(const core::Solver& solver, bool waits) {
+    *this = {};
     solver_ = &solver;
-    for (Copy& copy : copies_) copy = {solver.makeStateCopy()};
-    late_ = copies_[0].state != nullptr;
-    forget();
+    waits_ = waits;
 }
 
 void LateStates::forget() {
@@ -17,8 +16,9 @@ void LateStates::forget() {
 void LateStates::advanced() {
     ++frame_;
     finished_ = false;
-    if (!late_ || frame_ - looked_ > kPatience) return;
+    if (!waits_ || frame_ - looked_ > kPatience) return;
     Copy& copy = copyOf(frame_);
+    if (!copy.state) copy.state = solver_->makeStateCopy();
     copy.state->start();
     copy.frame = frame_;
 }

@@ -2,7 +2,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 
 #include "core/solver.hpp"
 
@@ -16,12 +15,13 @@ class LateStates {
     static constexpr int kLateness = 2;   ///< frames
     static constexpr int kPatience = 60;  ///< frames that are copied without anybody looking
 
-    /// That solver from now on; it must live until the next one is set.
-    void setSolver(const core::Solver& solver);
+    /// That solver from now on; it must live until the next one is set. waits: whether its state()
+    /// waits for a GPU. Copies take memory there once somebody looks.
+    void setSolver(const core::Solver& solver, bool waits);
     /// What was copied before is of no use: a body has come or gone, or the state was set.
     void forget();
     /// Whether the state itself may be looked at without waiting.
-    bool present() const { return finished_ || !late_; }
+    bool present() const { return finished_ || !waits_; }
     /// Nothing is left for the GPU to do.
     void finished() { finished_ = true; }
     /// The solver has advanced by a frame.
@@ -31,14 +31,14 @@ class LateStates {
 
   private:
     struct Copy {
-        std::unique_ptr<core::StateCopy> state;
-        std::int64_t frame = -1;  ///< −1: none
+        std::unique_ptr<core::StateCopy> state;  ///< null: not made yet
+        std::int64_t frame = -1;                 ///< −1: none
     };
     Copy& copyOf(std::int64_t frame) { return copies_[static_cast<std::size_t>(frame % kCopies)]; }
     static constexpr int kCopies = kLateness + 1;
 
     const core::Solver* solver_ = nullptr;
-    bool late_ = false;  ///< the solver's state() would wait
+    bool waits_ = false;  ///< the solver's state() would
     bool finished_ = true;
     std::array<Copy, kCopies> copies_;
     std::int64_t frame_ = 0;

@@ -22,9 +22,8 @@ Simulation::Simulation(std::shared_ptr<const Layout> layout, const SolverInfo& i
 
 void Simulation::adopt(MadeSolver made, const SolverInfo& info) {
     if (findsIncidents_) made.solver->setIncidents(&incidents_);
-    late_ = {};
     made_ = std::move(made);
-    late_.setSolver(*made_.solver);
+    late_.setSolver(*made_.solver, made_.onGpu != nullptr);
     info_ = &info;
     state_.reset();
 }

@@ -1,7 +1,6 @@
 #include "sunder/convert.hpp"
 
 #include <cmath>
-#include <concepts>
 #include <type_traits>
 
 namespace sunder {
@@ -162,8 +161,8 @@ void set(Vec3& to, const core::Vec3& from) {
     to = fromCore(from);
 }
 template <class To, class From>
-requires std::is_enum_v<To> && std::is_enum_v<From> &&
-    (!std::same_as<To, From>)void set(To& to, From from) {
+requires std::is_enum_v<To>
+void set(To& to, From from) {
     to = same<To>(from);
 }
 

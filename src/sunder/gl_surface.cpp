@@ -58,6 +58,7 @@ void Surface::Impl::make() {
                                                         static_cast<std::size_t>(range.first))});
     drawn.assign(inside.world().bodies().size(), -1);
     labelled = -1;
+    damage.clear();
 }
 
 void Surface::Impl::updatePieces() {

@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/types.hpp"
@@ -13,6 +14,17 @@ enum class Profile {
     Core,
     Compatibility,  ///< as a host may have it; not every driver does
 };
+
+/// What `make(minor, told)` gives first that is not null: a context of OpenGL 4.3 for the solver
+/// `compute`, else 4.1, which does for all else; told of a reset of the device, unless the driver
+/// refuses to be asked. Null where there is none.
+template <class Make>
+auto newestContext(const Make& make) {
+    auto made = make(3, true);
+    for (const auto& [minor, told] : {std::pair(3, false), std::pair(1, true), std::pair(1, false)})
+        if (!made) made = make(minor, told);
+    return made;
+}
 
 /// A GL context of our own, 4.1 core unless asked for otherwise. Made current on the calling thread
 /// where and when it is made; any other context is then not current there any more. Several may be

@@ -146,12 +146,9 @@ class OwnedContext {
             throw DeviceError("the driver lacks EGL_KHR_surfaceless_context");
         if (!eglBindAPI(EGL_OPENGL_API)) fail("eglBindAPI(EGL_OPENGL_API)");
         const EGLConfig config = anyConfig(display);
-        id_ = EGL_NO_CONTEXT;
-        // 4.3 for the solver `compute`; all else needs 4.1.
-        for (const EGLint minor : {3, 1})
-            for (const bool told : {true, false})
-                if (id_ == EGL_NO_CONTEXT)
-                    id_ = makeContext(display, config, profile, 4, minor, true, told);
+        id_ = newestContext([&](EGLint minor, bool told) {
+            return makeContext(display, config, profile, 4, minor, true, told);
+        });
         // An older context is made only so that Context::initialise() can say which version there
         // is.
         if (id_ == EGL_NO_CONTEXT) {

@@ -26,11 +26,10 @@ class GlfwContext final : public Context {
     void bindContext() override { glfwMakeContextCurrent(window_.handle); }
 
     struct Window {
-        explicit Window(Profile profile) : handle(nullptr) {
-            // 4.3 for the solver `compute`; all else needs 4.1.
-            for (const int minor : {3, 1})
-                for (const bool told : {true, false})
-                    if (!handle) handle = makeWindow(profile, 4, minor, true, told);
+        explicit Window(Profile profile)
+            : handle(newestContext([profile](int minor, bool told) {
+                  return makeWindow(profile, 4, minor, true, told);
+              })) {
             if (handle) return;
             const std::string problem = glfwErrorText();
             // An older context is made only so that initialise() can say which version there is.

@@ -123,11 +123,9 @@ class GlfwWindow final : public Window {
     void bindContext() override { glfwMakeContextCurrent(handle()); }
 
     struct Handle {
-        explicit Handle(const Options& options) : handle(nullptr) {
-            // 4.3 for the solver `compute`; all else needs 4.1.
-            for (const int minor : {3, 1})
-                for (const bool told : {true, false})
-                    if (!handle) handle = makeWindow(options, minor, told);
+        explicit Handle(const Options& options)
+            : handle(newestContext(
+                  [&](int minor, bool told) { return makeWindow(options, minor, told); })) {
             if (!handle)
                 throw DeviceError(
                     "a window with OpenGL 4.1 core cannot be opened: " + glfwErrorText() + kAdvice);

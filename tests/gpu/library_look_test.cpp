@@ -37,7 +37,9 @@ TEST_CASE("library: on a GPU a world is looked at two steps late, and nothing wa
             flown.push_back(heightOfBall(equal));
         }
         CHECK(world.lookTime() == 0);
+        const std::size_t memory = device.memory();
         REQUIRE(world.step(kSteps));
+        CHECK(device.memory() == memory);               // nobody has looked while it was under way
         CHECK(world.castRay({0, 0.3, 2}, {0, 0, -1}));  // the first look waits
         CHECK(world.lookTime() == world.time());
         for (int i = 2; i <= kFrames; ++i) {

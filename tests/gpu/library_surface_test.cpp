@@ -119,7 +119,8 @@ TEST_CASE("library: a surface's vertices know their pieces") {
     gl::Device device(host.options());
     for (const std::string_view solver : {"gather", "cpu"}) {
         INFO(solver);
-        World world = made(threeWalls(), {.device = &device, .solver = solver});
+        WorldDesc desc = threeWalls();
+        World world = made(desc, {.device = &device, .solver = solver});
         gl::Surface without(device, world);
         CHECK(without.pieceBuffer() == 0);
         gl::Surface surface(device, world, {.pieces = true});
@@ -152,6 +153,12 @@ TEST_CASE("library: a surface's vertices know their pieces") {
         REQUIRE(world.removeBody(0));
         REQUIRE(world.step(kFrame));
         CHECK(right().count(-1) == 1);
+        // A mesh that is made anew while nothing breaks.
+        desc.addObject(Object::sphere(0.1).at({0, 0.1, 5}));
+        REQUIRE(world.finish());
+        REQUIRE(surface.update());
+        REQUIRE(world.extend(desc));
+        CHECK(right().size() > 3);
         // The attribute that hosts read it by.
         glBindVertexArray(surface.vertexArray());
         GLint buffer = 0, integer = 0;

@@ -21,9 +21,10 @@ class Slow : public cpu::CpuSolver {
         return CpuSolver::state();
     }
     std::unique_ptr<StateCopy> makeStateCopy() const override {
+        ++made;
         return std::make_unique<Copy>(*this);
     }
-    mutable int waits = 0, copies = 0;
+    mutable int waits = 0, copies = 0, made = 0;
 
   private:
     struct Copy : StateCopy {
@@ -50,7 +51,7 @@ TEST_CASE("late states: two frames late, without waiting, and the same ones in e
     const World world(fallingBlock());
     Slow solver(world);
     sim::LateStates late;
-    late.setSolver(solver);
+    late.setSolver(solver, true);
     CHECK(late.present());  // nothing has been begun
     constexpr int kSteps = 10;
     const auto frame = [&] {
@@ -60,7 +61,7 @@ TEST_CASE("late states: two frames late, without waiting, and the same ones in e
     const auto seen = [&] { return late.look().step / kSteps; };
     for (int i = 0; i < 5; ++i) frame();
     CHECK_FALSE(late.present());
-    CHECK(solver.copies == 0);  // nobody has looked yet
+    CHECK(solver.made == 0);  // nobody has looked yet
     CHECK(seen() == 5);
     CHECK(solver.waits == 1);
     // From now on what is seen is what was seen last, until copies are old enough.
@@ -98,7 +99,7 @@ TEST_CASE("late states: a solver that need not be waited for has none") {
     const World world(fallingBlock());
     cpu::CpuSolver solver(world, 1);
     sim::LateStates late;
-    late.setSolver(solver);
+    late.setSolver(solver, false);
     solver.advance(10);
     late.advanced();
     CHECK(late.present());
