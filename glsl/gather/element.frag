@@ -8,12 +8,11 @@
 #include "gather/node.glsl"
 #include "physics/lattice.glsl"
 #include "physics/elasticity.glsl"
+#include "physics/step.glsl"
 #if STRESSES
 #include "gather/stress.glsl"
 #include "physics/eigen.glsl"
 #endif
-
-uniform float stepSize;  // s
 
 #ifndef COMPUTE
 layout(location = 0) out
@@ -43,7 +42,7 @@ ElementStress cornerTetrahedron(ElementLaw law, int a, int x, int y, int z, vec3
     mat3 displacement = mat3((u[x] - u[a]) * toward.x, (u[y] - u[a]) * toward.y, (u[z] - u[a]) * toward.z);
     mat3 rate = mat3((v[x] - v[a]) * toward.x, (v[y] - v[a]) * toward.y, (v[z] - v[a]) * toward.z);
     mat3 F = mat3(1.0) + displacement;
-    ElementStress stress = elementStress(law, F, rate, stepSize);
+    ElementStress stress = elementStress(law, F, rate, stepSize, STRESSES != 0);
     float volume = law.cellSize.w / 6.0;
     vec3 fx = stress.piola[0] * (-volume * toward.x);
     vec3 fy = stress.piola[1] * (-volume * toward.y);
@@ -63,7 +62,7 @@ mat3 centralTetrahedron(ElementLaw law, vec3 reciprocal) {
     vec3 half_ = 0.5 * reciprocal;
     mat3 F = mat3(1.0) + centralGradient(u[0], u[3], u[5], u[6], half_);
     mat3 rate = centralGradient(v[0], v[3], v[5], v[6], half_);
-    ElementStress stress = elementStress(law, F, rate, stepSize);
+    ElementStress stress = elementStress(law, F, rate, stepSize, STRESSES != 0);
     float volume = law.cellSize.w / 3.0;
     vec3 fx = stress.piola[0] * (-volume * half_.x);
     vec3 fy = stress.piola[1] * (-volume * half_.y);

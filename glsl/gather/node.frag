@@ -43,17 +43,17 @@ void updateNode(int corner, int cell, ivec2 texel, int bodyIndex, BodyRecord bod
     displacement = texelFetch(nodes, ivec3(texel, displacementLayer(corner)), 0);
     velocity = texelFetch(nodes, ivec3(texel, velocityLayer(corner)), 0);
     vec3 force = groupForce(cell, corner, linkMaskOf(masks, corner), cellStrides(ivec4(body.lattice)));
-    vec3 acceleration = force * inverseMass + body.gravity.xyz;
 #if EVENTS || ROOM
     vec3 restPosition = texelFetch(rest, 8 * cell + corner).xyz;
 #else
     vec3 restPosition = vec3(0.0, displacement.w, 0.0);
 #endif
-#if EVENTS
-    acceleration += eventAcceleration(bodyIndex, restPosition, displacement.xyz, stepInFrame);
-#endif
     vec3 u = displacement.xyz, v = velocity.xyz;
-    integrateNode(u, v, acceleration, body.gravity.w, restPosition);
+#if EVENTS
+    moveNode(force, inverseMass, body, eventAcceleration(bodyIndex, restPosition, u, stepInFrame), restPosition, u, v);
+#else
+    moveNode(force, inverseMass, body, vec3(0.0), restPosition, u, v);
+#endif
     bool moves = inverseMass > 0.0;  // not anchored, and there is a cell
     displacement.xyz = moves ? u : displacement.xyz;
     velocity = moves ? vec4(v, newWatch ? dot(v, v) : max(dot(v, v), velocity.w)) : vec4(0.0);

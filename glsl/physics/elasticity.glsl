@@ -5,7 +5,7 @@
 
 struct ElementStress {
     mat3 piola;     // P, Pa
-    mat3 rotation;  // R of G
+    mat3 rotation;  // R of G; of Green's law only where it was asked for
 };
 
 float squaredNorm(mat3 m) { return dot(m[0], m[0]) + dot(m[1], m[1]) + dot(m[2], m[2]); }
@@ -30,14 +30,17 @@ mat3 centralGradient(vec3 a0, vec3 a3, vec3 a5, vec3 a6, vec3 half_) {
     return mat3((first + second) * half_.x, (a3 + a6 - a5 - a0) * half_.y, (second - first) * half_.z);
 }
 
-ElementStress elementStress(ElementLaw law, mat3 F, mat3 rate, float h) {
+// rotated: whether R is wanted, too.
+ElementStress elementStress(ElementLaw law, mat3 F, mat3 rate, float h, bool rotated) {
     float viscosity = law.extremes.x;
     bool hot = isHot(law, F);
     mat3 G = F + (hot ? kHotDamping : kDamping) * h * rate;
-    mat3 R = polarRotation(G);
+    bool corotated = law.elasticity.z == SUNDER_LAW_COROTATED;
+    mat3 R = mat3(1.0);
+    if (corotated || rotated) R = polarRotation(G);
     float lambda = law.elasticity.x, mu = law.elasticity.y;
     mat3 P;
-    if (law.elasticity.z == SUNDER_LAW_COROTATED) {
+    if (corotated) {
         float dilation = dot(R[0], G[0]) + dot(R[1], G[1]) + dot(R[2], G[2]) - 3.0;
         P = 2.0 * mu * (G - R) + lambda * dilation * R;
     } else {

@@ -68,7 +68,7 @@ void main() {
     mat3 velocity = mat3(velocityOf(nodeIndices.y) - v0, velocityOf(nodeIndices.z) - v0,
                          velocityOf(nodeIndices.w) - v0);
     mat3 F = mat3(1.0) + displacement * inverseRest;
-    ElementStress stress = elementStress(law, F, velocity * inverseRest, stepSize);
+    ElementStress stress = elementStress(law, F, velocity * inverseRest, stepSize, FRACTURE != 0);
 
     float volume = law.cellSize.w * (tetrahedron == 4 ? 1.0 / 3.0 : 1.0 / 6.0);
     mat3 forces = -volume * backOf(cell, law) * stress.piola * transpose(inverseRest);

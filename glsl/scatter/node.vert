@@ -21,10 +21,8 @@ void main() {
     int index = bodyOf(cellRecord(gl_VertexID >> 3));
     BodyRecord body = bodyRecord(index);
     vec3 restPosition = texelFetch(rest, gl_VertexID).xyz;
-    vec3 acceleration = force.rgb * force.a + body.gravity.xyz +
-                        eventAcceleration(index, restPosition, displacement.xyz, stepInFrame);
     vec3 u = displacement.xyz, v = velocity.xyz;
-    integrateNode(u, v, acceleration, body.gravity.w, restPosition);
+    moveNode(force.rgb, force.a, body, eventAcceleration(index, restPosition, u, stepInFrame), restPosition, u, v);
     newDisplacement = vec4(u, displacement.w);
     newVelocity = vec4(v, 0.0);
 }

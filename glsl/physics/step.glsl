@@ -1,0 +1,2 @@
+// h, s: the time that a substep takes.
+uniform float stepSize;
