@@ -2,22 +2,11 @@
 #include "physics/lattice.glsl"
 #include "physics/links.glsl"
 
-// Octants around a lattice point on the − side of it along x, y, z; the others are the complement.
-const uint kLowOctants[3] = uint[3](0x55u, 0x33u, 0x0Fu);
-
 // Whether all corners of a cell hang together with all that the body has room for around them. sides: SUNDER_CELL_SIDES_BIT.
 bool whole(vec4 masks, uint record) {
     uint sides = record >> uint(SUNDER_CELL_SIDES_BIT);
     bool result = true;
-    for (int corner = 0; corner < 8; ++corner) {
-        uint there = 255u;
-        for (int axis = 0; axis < 3; ++axis) {
-            bool high = (corner >> axis & 1) != 0;
-            uint beyond = high ? kLowOctants[axis] ^ 255u : kLowOctants[axis];
-            there &= (sides >> uint(high ? axis + 3 : axis) & 1u) != 0u ? ~beyond : 255u;
-        }
-        result = result && linkMaskOf(masks, corner) == there;
-    }
+    for (int corner = 0; corner < 8; ++corner) result = result && linkMaskOf(masks, corner) == octantsWithin(corner, sides);
     return result;
 }
 

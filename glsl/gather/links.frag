@@ -10,7 +10,7 @@ layout(location = 1) out vec4 newInverseMassLow;
 layout(location = 2) out vec4 newInverseMassHigh;
 #endif
 
-vec3 damageOf(int cell) { return texelFetch(bonds, ivec3(texelAddress(cell), 0), 0).xyz; }
+uint heldBy(int cell, ivec3 offset) { return heldWith(texelFetch(bonds, ivec3(texelAddress(cell), 0), 0).xyz); }
 
 #ifdef COMPUTE
 void main() {

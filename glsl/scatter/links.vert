@@ -7,7 +7,7 @@ out vec4 newMasks;
 out vec4 newInverseMassLow;
 out vec4 newInverseMassHigh;
 
-vec3 damageOf(int cell) { return texelFetch(bonds, 2 * cell).xyz; }
+uint heldBy(int cell, ivec3 offset) { return heldWith(texelFetch(bonds, 2 * cell).xyz); }
 
 void main() {
     LinkRecord links = joints(gl_VertexID);

@@ -19,6 +19,15 @@
 // m. Stands for "nowhere": a barrier that nothing comes to.
 #define SUNDER_NO_BARRIER 1.0e30
 
+// A block of cells (src/gpu/block_plan.hpp): four texels of the texture buffer `blocks` (RGBA32I).
+struct BlockRecord {
+    ivec4 origin;  // xyz: its first cell, on the lattice of a body; w: that body
+    ivec4 size;    // xyz: cells along x, y, z; w unused
+    ivec4 first;   // xyz: the first cell that it owns, in the block; w unused
+    ivec4 end;     // xyz: the first beyond those; w unused
+};
+#define SUNDER_BLOCK_TEXELS 4
+
 #define SUNDER_LAW_GREEN 0.0
 #define SUNDER_LAW_COROTATED 1.0
 

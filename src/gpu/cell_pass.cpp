@@ -56,7 +56,10 @@ void CellPass::run(const TexelTarget& to, const CellSet& cells, int part) const 
     gl::bindTexture(kCellGroups, GL_TEXTURE_BUFFER, cells.groupTexture());
     program_.use();
     glDispatchCompute(static_cast<GLuint>(cells.groups()), static_cast<GLuint>(invocations_), 1);
-    // For passes that fetch, blend and copy what it wrote, and for those that write it again.
+    finishImages();
+}
+
+void finishImages() {
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                     GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
                     GL_PIXEL_BUFFER_BARRIER_BIT);

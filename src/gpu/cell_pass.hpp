@@ -49,6 +49,10 @@ class CellPass {
     gl::Program program_;
 };
 
+/// After a dispatch, for passes that fetch, blend and copy the images it wrote, and for those that
+/// write them again.
+void finishImages();
+
 /// Throws InputError, naming `gather`, where the current context cannot do it.
 void requireCompute();
 

@@ -36,9 +36,7 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers, Stag
       bonds_{TexelTarget(world.cellCount(), columns_, 2, "bonds"),
              TexelTarget(world.cellCount(), columns_, 2, "bonds")},
       forces_(world.cellCount(), columns_, kCorners, "forces"),
-      links_(world.cellCount(), columns_, SUNDER_LINK_TEXELS, "links"),
       forcePass_(stage, forces_, world, "gather/element.frag", {{"STRESSES", "0"}}),
-      linkPass_(stage, links_, world, "gather/links.frag"),
       plainNodes_(nodePass("0")),
       pushedNodes_(nodePass("1")),
       stillBondProgram_(bonds_[0].program(world, "gather/still.frag", {{"NODES", "0"}})),
@@ -49,6 +47,10 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers, Stag
       released_(world),
       awake_(stage, world.bodies().size(), "awake cells"),
       monitor_(world, columns_, events_.schedule()) {
+    if (stage == Stage::Compute && BlockPass::suits(world)) blocks_.emplace(world, columns_);
+    for (int half = 0; half < (blocks_ ? 2 : 1); ++half)
+        links_.emplace_back(world.cellCount(), columns_, SUNDER_LINK_TEXELS, "links");
+    linkPass_ = CellPass(stage, links_[0], world, "gather/links.frag");
     if (breakable_) {
         const gl::Defines defines = breakDefines(world);
         stressPass_ = CellPass(stage, nodes_[0], world, "gather/element.frag",
@@ -116,30 +118,68 @@ void GatherSolver::bindInputs() const {
     bindWorld(buffers_);
     released_.bind();
     gl::bindTexture(kEvents, GL_TEXTURE_BUFFER, events_.texture());
-    gl::bindTexture(kLinks, GL_TEXTURE_2D_ARRAY, links_.texture());
     gl::bindTexture(kForces, GL_TEXTURE_2D_ARRAY, forces_.texture());
+    bindState();
+}
+
+void GatherSolver::bindState() const {
     gl::bindTexture(kNodes, GL_TEXTURE_2D_ARRAY, nodes_[currentNodes_].texture());
     gl::bindTexture(kBonds, GL_TEXTURE_2D_ARRAY, bonds_[currentBonds_].texture());
+    gl::bindTexture(kLinks, GL_TEXTURE_2D_ARRAY, links_[currentLinks_].texture());
 }
 
 void GatherSolver::advance(int steps) {
     const bool events = events_.write(step_, steps);
     bindInputs();
-    for (int i = 0; i < steps; ++i) {
-        advanceOne(events, i);
-        ++step_;
+    for (int done = 0; done < steps;) {
+        const int some = advanceSome(events, done, steps - done);
+        done += some;
+        step_ += some;
         if (incidents_ && incidents_->due(step_)) lookForIncidents();
     }
     // The GPU begins at once, not when the queue is full: the CPU may have work of its own.
     glFlush();
 }
 
-void GatherSolver::advanceOne(bool events, int stepInFrame) {
+int GatherSolver::advanceSome(bool events, int stepInFrame, int most) {
     if (step_ >= nextWake_) wakePushed();
     if (objects_) startThrows();
-    if (!moving()) return;
+    if (!moving()) return 1;
     stirred_ = true;
     if (step_ % monitor_.interval() == 0) watch();
+    if (blocks_ && !passObserver_) return advanceBlocks(events, stepInFrame, most);
+    advanceOne(events, stepInFrame);
+    return 1;
+}
+
+int GatherSolver::advanceBlocks(bool events, int stepInFrame, int most) {
+    const auto until = [&](std::int64_t step) {
+        most = static_cast<int>(std::min<std::int64_t>(most, step - step_));
+    };
+    until(nextWake_);
+    until((step_ / monitor_.interval() + 1) * monitor_.interval());
+    if (incidents_) until(incidents_->next(step_));
+    const BlockPass::Span span{.step = step_,
+                               .substeps = blocks_->substepsFrom(step_, most),
+                               .pushed = events,
+                               .stepInFrame = stepInFrame,
+                               .newNodeWatch = newNodeWatch_,
+                               .newBondWatch = newBondWatch_};
+    const TimedPass timed(passTimer_, "blocks");
+    currentNodes_ = 1 - currentNodes_;
+    const bool looks = blocks_->looks(span);
+    if (looks) {
+        currentBonds_ = 1 - currentBonds_;
+        currentLinks_ = 1 - currentLinks_;
+        newBondWatch_ = false;
+    }
+    newNodeWatch_ = false;
+    blocks_->run(span, nodes_[currentNodes_], bonds_[currentBonds_], links_[currentLinks_]);
+    bindState();
+    return span.substeps;
+}
+
+void GatherSolver::advanceOne(bool events, int stepInFrame) {
     {
         const TimedPass timed(passTimer_, "elements");
         forcePass_.run(forces_, awake_);
@@ -206,8 +246,12 @@ void GatherSolver::updateBonds() {
 
 void GatherSolver::updateLinks() {
     const TimedPass timed(passTimer_, "links");
-    linkPass_.run(links_, awake_);
-    observe(passObserver_, "links", links_, world_.cellCount(), SUNDER_LINK_TEXELS);
+    linkPass_.run(links_[currentLinks_], awake_);
+    observe(passObserver_, "links", links_[currentLinks_], world_.cellCount(), SUNDER_LINK_TEXELS);
+}
+
+void GatherSolver::writeLinks(const CellSet& cells) {
+    for (const TexelTarget& links : links_) linkPass_.run(links, cells);
 }
 
 void GatherSolver::updateNodes(bool events, int stepInFrame) {

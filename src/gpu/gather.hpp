@@ -5,6 +5,7 @@
 
 #include "core/body_book.hpp"
 #include "core/body_host.hpp"
+#include "gpu/block_pass.hpp"
 #include "gpu/cell_pass.hpp"
 #include "gpu/contact_pass.hpp"
 #include "gpu/event_buffer.hpp"
@@ -88,6 +89,7 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     NodePass nodePass(const char* events) const;
     int nodeParts() const { return stage_ == Stage::Fragment ? kNodeParts : 1; }
     void bindInputs() const;
+    void bindState() const;
     void write(TexelRange cells, const core::State& state);
     void read(TexelRange cells, core::State& state) const;
     /// What a state has beside the numbers of cells and objects.
@@ -102,6 +104,8 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     /// The book says other things of bodies as wholes.
     void bookChanged();
     void relink(int body);
+    /// The links of cells follow from their bonds, wherever they may be read from.
+    void writeLinks(const CellSet& cells);
     /// Wakes a body that comes or goes, and what sleeps where these boxes of it are.
     void wakeAround(int body, const std::vector<core::RestBox>& own);
     /// Both halves of the ping-pong: what no pass touches is to be the same in both.
@@ -133,7 +137,11 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     void bodiesChanged();
     void addContacts();
     void addObjects(bool events, int stepInFrame);
+    /// At least one step, at most so many; how many it was.
+    int advanceSome(bool events, int stepInFrame, int most);
     void advanceOne(bool events, int stepInFrame);
+    /// Several steps in one pass.
+    int advanceBlocks(bool events, int stepInFrame, int most);
     void lookForIncidents();
     /// Whether anything changes in a step: bodies that are awake, objects that move.
     bool moving() const;
@@ -152,8 +160,9 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     std::array<TexelTarget, 2> nodes_;         ///< glsl/gather/node.glsl
     std::array<TexelTarget, 2> bonds_;         ///< BondRecord
     TexelTarget forces_;                       ///< on each corner
-    TexelTarget links_;                        ///< LinkRecord
+    std::vector<TexelTarget> links_;           ///< LinkRecord; two only where blocks_ writes them
     int currentNodes_ = 0, currentBonds_ = 0;  ///< read; the other is written
+    int currentLinks_ = 0;
     Copy drawnNodes_, drawnDamage_;
     CellPass forcePass_, stressPass_, bondPass_, linkPass_;
     NodePass plainNodes_, pushedNodes_;
@@ -164,6 +173,7 @@ class GatherSolver : public GpuSolver, public core::BodyHost {
     core::BodyBook book_;
     ReleasedBodies released_;
     CellSet awake_;
+    std::optional<BlockPass> blocks_;
     std::optional<ContactPass> contact_;
     std::optional<ObjectPass> objects_;
     std::int64_t droppedContacts_ = 0;

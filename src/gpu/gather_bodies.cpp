@@ -63,7 +63,7 @@ void GatherSolver::relink(int body) {
     CellSet own(stage_, 1, "a body's cells");
     own.set({&cells, 1}, columns_);
     bindInputs();
-    linkPass_.run(links_, own);
+    writeLinks(own);
 }
 
 void GatherSolver::wakeAround(int body, const std::vector<RestBox>& own) {
@@ -149,6 +149,11 @@ void GatherSolver::fallAsleep(const std::vector<int>& calm) {
         copy(stillNodePrograms_[part], otherNodes, nodes, part);
     }
     copy(stillBondProgram_, bonds_[currentBonds_], bonds_[1 - currentBonds_], 0);
+    if (links_.size() > 1) {
+        CellSet cells(stage_, calm.size(), "calm cells");
+        cells.set(rangesOf(world_, calm), columns_);
+        writeLinks(cells);
+    }
     bodiesChanged();
 }
 
@@ -239,6 +244,7 @@ void GatherSolver::bodiesChanged() {
     const std::vector<TexelRange> awake = rangesOf(world_, book_.awakeBodies()),
                                   active = rangesOf(world_, book_.activeBodies());
     awake_.set(awake, columns_);
+    if (blocks_) blocks_->setBodies(book_.awakeBodies());
     if (contact_) contact_->setCells(awake, active);
     if (objects_) objects_->setCells(active);
     findNextWake(step_);

@@ -110,7 +110,7 @@ void GatherSolver::setState(const State& state) {
         if (holds(body)) changed(body);
     bodiesChanged();
     bindInputs();
-    updateLinks();
+    writeLinks(awake_);
 }
 
 void GatherSolver::archive(Archive& a) {
@@ -220,7 +220,7 @@ void GatherSolver::follow() {
     const TexelRange every{0, world_.cellCount()};
     CellSet cells(stage_, 1, "all cells");
     cells.set({&every, 1}, columns_);
-    linkPass_.run(links_, cells);
+    writeLinks(cells);
 }
 
 void GatherSolver::adopt(const std::vector<int>& bodies, const State& state) {
@@ -248,7 +248,7 @@ void GatherSolver::adopt(const std::vector<int>& bodies, const State& state) {
     CellSet adopted(stage_, cells.size(), "adopted cells");
     adopted.set(cells, columns_);
     bindInputs();
-    linkPass_.run(links_, adopted);
+    writeLinks(adopted);
 }
 
 void GatherSolver::release(const std::vector<int>& bodies, State& state) {

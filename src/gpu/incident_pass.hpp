@@ -29,6 +29,8 @@ class IncidentPass {
     void addPushes();
 
     bool due(std::int64_t step) const { return step % interval_ == 0; }
+    /// The first step after `step` that a look is due at.
+    std::int64_t next(std::int64_t step) const { return (step / interval_ + 1) * interval_; }
     /// Takes the records of the look before last and captures those of now. Nodes, bonds and the
     /// world's buffers must be bound. The solver then updates known().
     void look(std::int64_t step);

@@ -5,6 +5,7 @@
 
 namespace sunder::gpu {
 
+using glm::ivec4;
 using glm::vec4;
 #include "../../glsl/shared/layout.h"
 
