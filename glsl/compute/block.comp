@@ -13,6 +13,7 @@
 #include "physics/events.glsl"
 #include "physics/integrate.glsl"
 #include "physics/joints.glsl"
+#include "physics/octants.glsl"
 #include "physics/fracture.glsl"
 
 layout(local_size_x = BLOCK_INVOCATIONS) in;

@@ -1,6 +1,7 @@
 // Which cells around a cell it is joined to. The cell (x, y, z) steps away on the lattice is bit (x + 1) + 3 (y + 1) + 9 (z + 1).
 #include "physics/lattice.glsl"
 #include "physics/links.glsl"
+#include "physics/octants.glsl"
 
 // Whether all corners of a cell hang together with all that the body has room for around them. sides: SUNDER_CELL_SIDES_BIT.
 bool whole(vec4 masks, uint record) {
