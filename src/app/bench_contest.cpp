@@ -37,7 +37,8 @@ double median(std::vector<double> values) {
 }
 
 int fewestSteps(const WorldDescription& world) {
-    return world.fractureInterval * std::max(1, 8 / world.fractureInterval);
+    const int interval = world.fractureInterval > 0 ? world.fractureInterval : kLookSteps;
+    return interval * std::max(1, 8 / interval);
 }
 
 std::string Entrant::label() const {
@@ -154,7 +155,7 @@ void Contest::probe(Lane& lane, const State& start) {
 int Contest::stepsPerRun(const Lane& lane) const {
     const double seconds =
         std::min(limits_.secondsPerRun, limits_.secondsPerCell / limits_.repeats);
-    const int frame = scene_.substeps, interval = scene_.world.fractureInterval;
+    const int frame = scene_.substeps, interval = world().fractureInterval();
     const double most = double(limits_.framesPerRun) * frame;
     int steps = static_cast<int>(std::min(seconds / std::max(lane.stepSeconds, 1e-9), most));
     steps -= steps % (steps >= frame ? frame : interval);

@@ -92,8 +92,8 @@ double closestApproach(const Vec3& x, const Vec3& v, double time) {
     return (x + (squared > 0 ? std::clamp(-x.dot(v) / squared, 0.0, time) : 0) * v).norm();
 }
 
-double contactMargin(double radiusA, double radiusB, double speed, double step) {
-    return std::max(0.5 * (radiusA + radiusB), 1.1 * kContactInterval * step * speed);
+double contactMargin(double radiusA, double radiusB, double speed, double time) {
+    return std::max(0.5 * (radiusA + radiusB), 1.1 * time * speed);
 }
 
 }  // namespace sunder::core

@@ -67,9 +67,10 @@ namespace sunder::core {
 /// come and go. Friction holds at rest then, too.
 ///
 /// Cells that still share a joined node never push each other. Which pairs may touch is searched
-/// for every kContactInterval steps, before the step: pairs of spheres whose gap is less than
-/// contactMargin().
-inline constexpr int kContactInterval = 4;  ///< steps
+/// for every World::contactInterval() steps, before the step: pairs of spheres whose gap is less
+/// than contactMargin().
+inline constexpr double kContactTime = 1.0 / 750;  ///< s, from one search to the next
+inline constexpr int kContactSteps = 4;            ///< but no fewer steps
 
 /// α for a restitution e of 0 to 1: the one at which two spheres that meet head on part with e
 /// times the speed, worked out with the very steps the solvers take. Restitutions below about 0.19
@@ -104,7 +105,7 @@ double touchTime(const Vec3& x, const Vec3& v, double radii, double step);
 double closestApproach(const Vec3& x, const Vec3& v, double time);
 
 /// m: gap below which a pair is kept until the next search: half the sum of the radii, or how far
-/// the pair closes in by then at the relative speed `speed` (m/s), a tenth on top.
-double contactMargin(double radiusA, double radiusB, double speed, double step);
+/// the pair closes in by then, in `time` (s), at the relative speed `speed` (m/s), a tenth on top.
+double contactMargin(double radiusA, double radiusB, double speed, double time);
 
 }  // namespace sunder::core

@@ -98,8 +98,10 @@ struct WorldDescription {
     /// faster (core/overlap.hpp).
     double partingSpeed = 1;
     double step = 1.0 / 3000;  ///< s, one substep, 1e-6 to 0.1
-    int fractureInterval = 4;  ///< substeps from one fracture update to the next, 1 to 100
-    std::uint64_t seed = 1;    ///< of the strength map
+    /// Substeps from one fracture update to the next, 1 to 100; 0: World::fractureInterval() finds
+    /// how many.
+    int fractureInterval = 0;
+    std::uint64_t seed = 1;  ///< of the strength map
 };
 
 }  // namespace sunder::core

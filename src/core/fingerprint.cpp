@@ -30,7 +30,7 @@ class Hash {
 void addWhole(Hash& hash, const World& world) {
     const WorldDescription& d = world.description();
     hash.add(d.gravity, d.ground, d.groundFriction, d.contact, d.partingSpeed, d.step,
-             d.fractureInterval, d.room.has_value());
+             world.fractureInterval(), d.room.has_value());
     if (d.room) hash.add(d.room->x, d.room->z, d.room->friction, d.room->ceiling);
     hash.add(world.bodies().size(), world.laws().size(), world.events().size(),
              world.objects().size(), world.throws().size(), world.partings().size());

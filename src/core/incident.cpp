@@ -20,7 +20,7 @@ Incident breakOf(const World& world, int bond, std::int64_t step) {
     for (const int cell : {incident.cell, incident.other})
         strength = std::min(strength, world.laws()[world.lawOf(cell)].maxStress);
     const Vec3& size = world.bodies()[world.bodyOf(incident.cell)].cellSize;
-    const double interval = world.description().fractureInterval * world.step();
+    const double interval = world.fractureInterval() * world.step();
     incident.impulse = strength * size.prod() / size[axis] * interval;
     return incident;
 }

@@ -228,9 +228,9 @@ constexpr Rule<W> kWorld[] = {
 };
 constexpr Rule<W> kSolver[] = {
     {"fracture_interval",
-     {1, 100},
+     {0, 100},
      &W::fractureInterval,
-     "Substeps from one fracture update to the next."},
+     "Substeps from one fracture update to the next; 0: in which a wave crosses a few cells."},
 };
 constexpr Rule<W> kGround[] = {
     {"friction", kFriction, &W::groundFriction, "Coulomb friction of the ground."},

@@ -60,9 +60,10 @@ class Solver {
     /// it was described, and awake, and wakes what sleeps around it; what lies in its way by then
     /// is pushed out. One that is taken away touches nothing, does not move, and wakes what slept
     /// on it; pushes act on it only while it is there. Contacts are searched for at once. At steps
-    /// divisible by kContactInterval, where that is due anyway and where sim::Simulation asks for
-    /// it, what touches no such body has the same bits with and without it. Nothing changes where
-    /// it is as it should be already. Of the solvers on a GPU, `scatter` waits for it.
+    /// divisible by World::contactInterval(), where that is due anyway and where sim::Simulation
+    /// asks for it, what touches no such body has the same bits with and without it. Nothing
+    /// changes where it is as it should be already. Of the solvers on a GPU, `scatter` waits for
+    /// it.
     virtual void setPresent(int body, bool present) = 0;
     /// Whether a body is there.
     virtual bool present(int body) const = 0;

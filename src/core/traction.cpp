@@ -49,7 +49,7 @@ double equivalentTraction(const World& world, int cell, int axis, const CornerSt
 }
 
 double slowShare(const World& world) {
-    return std::min(1.0, world.description().fractureInterval * world.step() / kSlowTime);
+    return std::min(1.0, world.fractureInterval() * world.step() / kSlowTime);
 }
 
 void makeStressesSlow(const World& world, int index, State& state) {

@@ -69,6 +69,7 @@ World::World(WorldDescription description) : description_(std::move(description)
     findOverlaps();
     layOutNodes();
     makeBonds();
+    findIntervals();
     makeEvents();
     makeObjects();
     findUnequalCells();
@@ -143,6 +144,25 @@ int World::lawFor(int materialIndex, const Vec3& cellSize) {
     law.contactDamping = contactDamping(m.restitution);
     laws_.push_back(law);
     return static_cast<int>(laws_.size()) - 1;
+}
+
+void World::findIntervals() {
+    const double step = description_.step;
+    constexpr double rounding = 1e-6;  // of quotients that are whole numbers
+    contactInterval_ =
+        kContactSteps *
+        std::max(1, static_cast<int>(kContactTime / (kContactSteps * step) + rounding));
+    fractureInterval_ = description_.fractureInterval;
+    if (fractureInterval_ > 0) return;
+    double most = kInfinity;  // of the steps that a material would carry
+    for (const ElementLaw& law : laws_) {
+        const Material& m = description_.materials[law.material];
+        if (m.fracture == FractureMode::None) continue;
+        const double stable =
+            stableYoungModulus(m.density, law.cellSize.minCoeff(), m.poissonRatio, step);
+        most = std::min(most, std::sqrt(stable / law.youngModulus));
+    }
+    fractureInterval_ = kLookSteps * static_cast<int>(std::clamp(most + rounding, 1.0, 25.0));
 }
 
 void World::layOutCells() {

@@ -41,6 +41,10 @@ struct Body {
     bool contains(const IVec3& c) const;
 };
 
+/// Steps from one fracture update to the next where a material's E is all that the step carries: a
+/// wave crosses some three cells in them.
+inline constexpr int kLookSteps = 4;
+
 /// Up to here a spring of the lighter cell's mass carries a few layers of the heavier ones.
 inline constexpr double kUnequal = 8;
 
@@ -65,6 +69,14 @@ class World {
     /// Of these two bodies; null: they do not.
     const Parting* parting(int bodyA, int bodyB) const;
     double step() const { return description_.step; }
+    /// Steps from one fracture update to the next: by the description, or as long as a wave takes
+    /// to cross a few cells of the stiffest material that breaks. So it is the same time however
+    /// many steps there are: kLookSteps times the longest step that would carry that material.
+    int fractureInterval() const { return fractureInterval_; }
+    /// Steps from one search for contacts to the next, a multiple of kContactSteps: kContactTime,
+    /// or where steps are long kContactSteps of them.
+    int contactInterval() const { return contactInterval_; }
+    double contactTime() const { return contactInterval_ * step(); }             ///< s, that is
     double pushSpeed() const { return kPushShare * description_.partingSpeed; }  ///< U, m/s
 
     int cellCount() const { return static_cast<int>(cellBody_.size()); }
@@ -142,6 +154,7 @@ class World {
 
   private:
     void layOutCells();
+    void findIntervals();
     void layOutNodes();
     void makeBonds();
     void makeEvents();
@@ -166,6 +179,7 @@ class World {
     std::vector<double> nodeMass_;
     std::vector<std::uint8_t> anchored_;
     std::vector<float> bondStrength_;
+    int fractureInterval_ = 0, contactInterval_ = 0;
     int presentCells_ = 0;
     bool unequalCells_ = false;
     int bondCount_ = 0;

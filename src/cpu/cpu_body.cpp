@@ -104,8 +104,7 @@ void BodyStorage::choose(const World& world) {
     a.dampingTime = static_cast<float>(kDamping * h);
     a.step = static_cast<float>(h);
     a.drag = static_cast<float>(std::exp(-body.drag * h));
-    a.slowShare =
-        std::min(1.f, static_cast<float>(world.description().fractureInterval) * a.step / 0.1f);
+    a.slowShare = std::min(1.f, static_cast<float>(world.fractureInterval()) * a.step / 0.1f);
     a.returnShare = static_cast<float>(h / std::max(kPartingTime, h));
     a.returnWay = static_cast<float>(h * world.pushSpeed());
     a.ground = world.description().ground;

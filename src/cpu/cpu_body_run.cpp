@@ -59,7 +59,7 @@ std::size_t BodyRun::bytes() const {
 
 bool BodyRun::startStep(std::int64_t step) {
     const BodyArrays& body = storage_.arrays();
-    check_ = step % world_.description().fractureInterval == 0;
+    check_ = step % world_.fractureInterval() == 0;
     fracture_ = check_ && (body.bondsBreak || body.cellsBreak);
     gatherPushes(step);
     gatherBlasts(step);
@@ -79,7 +79,7 @@ void BodyRun::nodes(int first, int end, int part) {
 void BodyRun::breakBonds(int first, int end, int part) {
     if (!fracture_) return;
     const BodyArrays& body = storage_.arrays();
-    const auto interval = static_cast<float>(world_.description().fractureInterval);
+    const auto interval = static_cast<float>(world_.fractureInterval());
     news_[part].bonds = updateBonds(body, first, end, interval * body.step);
 }
 
@@ -239,7 +239,7 @@ Vec3 BodyRun::position(int node) const {
 }
 
 void BodyRun::updateSleep(bool calm) {
-    calmSteps_ = calm ? calmSteps_ + world_.description().fractureInterval : 0;
+    calmSteps_ = calm ? calmSteps_ + world_.fractureInterval() : 0;
     // Where bodies touch, what a whole island does decides (CpuSolver::rest()).
     if (ready() && !world_.description().contact) fallAsleep();
 }

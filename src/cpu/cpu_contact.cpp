@@ -17,9 +17,9 @@ constexpr int kTilesPerStretch = 32;
 
 Contact::Contact(const World& world, std::vector<const BodyArrays*> bodies) : world_(world) {
     step_ = static_cast<float>(world.step());
-    closing_ = static_cast<float>(contactMargin(0, 0, 1, world.step()));
+    closing_ = static_cast<float>(contactMargin(0, 0, 1, world.contactTime()));
     pushSpeed_ = static_cast<float>(world.pushSpeed());
-    searchInterval_ = static_cast<float>(kContactInterval * world.step());
+    searchInterval_ = static_cast<float>(world.contactTime());
     sweptSpeed_ = static_cast<float>(kSweptWay / world.step());
     partingTime_ = static_cast<float>(
         std::max(kPartingTime, kInelasticDamping * world.step() / kContactStiffness));

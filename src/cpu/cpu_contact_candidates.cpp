@@ -223,7 +223,7 @@ void Contact::findCandidates(const ForEach& forEach) {
                 before_[axis][sphere] = moved_[axis][sphere];
                 speed2 += velocity_[axis][sphere] * velocity_[axis][sphere];
             }
-            const float leeway = kLeewaySearches * kContactInterval * step_ * std::sqrt(speed2);
+            const float leeway = kLeewaySearches * searchInterval_ * std::sqrt(speed2);
             allowed_[sphere] =
                 now.reach + std::clamp(leeway, kLeeway * body.radius, kMostLeeway * body.radius);
             grid_.add({now.x, now.y, now.z, allowed_[sphere], sphere});

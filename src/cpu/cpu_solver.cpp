@@ -28,9 +28,8 @@ CpuSolver::CpuSolver(const World& world, const Threads& threads)
         std::vector<const cpu::BodyArrays*> arrays;
         for (const auto& run : bodies_) arrays.push_back(&run->arrays());
         runner.contact.emplace(world, arrays);
-        // Searches come at multiples of kContactInterval.
         runner.restInterval =
-            kContactInterval * std::max(1, stepsPerLook(world) / kContactInterval);
+            world.contactInterval() * std::max(1, stepsPerLook(world) / world.contactInterval());
         if (!world.objects().empty()) {
             runner.objects.emplace(world);
             runner.objectCells.emplace(world, std::move(arrays), *runner.contact);
@@ -66,8 +65,9 @@ void CpuSolver::advance(int steps) {
             advanceTo(step_ + steps, false);
             return;
         }
+        const int interval = world_.contactInterval();
         for (const std::int64_t end = step_ + steps; step_ < end;) {
-            std::int64_t next = std::min(end, (step_ / kContactInterval + 1) * kContactInterval);
+            std::int64_t next = std::min(end, (step_ / interval + 1) * interval);
             for (const Throw& thrown : world_.throws())
                 if (thrown.step > step_) next = std::min(next, thrown.step);
             // What accelerates objects may make a search due at each step.
@@ -80,7 +80,7 @@ void CpuSolver::advance(int steps) {
             const bool woke = wakePushed(next);
             if (!blasts.empty()) runner.objects->accelerate(blasts);
             if (step_ % runner.restInterval == 0) rest();
-            if (woke || runner.contact->due() || step_ % kContactInterval == 0 ||
+            if (woke || runner.contact->due() || step_ % interval == 0 ||
                 (runner.objects && runner.objects->searchDue()))
                 searchContacts();
             advanceTo(next, true);

@@ -21,7 +21,7 @@ constexpr double kSearchLeeway = 0.04;
 double gentlePush(const World& world) {
     double shortest = std::numeric_limits<double>::infinity();
     for (const Body& body : world.bodies()) shortest = std::min(shortest, body.cellSize.minCoeff());
-    return kSearchLeeway * shortest / (kContactInterval * kContactInterval * world.step());
+    return kSearchLeeway * shortest / (world.contactInterval() * world.contactTime());
 }
 
 /// The corners of an object's core: the points with which it meets planes and other objects.
@@ -196,7 +196,7 @@ void Objects::findOf(int index, int body, const Cells& cells, const Cells::Bound
     const double cellReach = of.cellSize.norm() / 2, spin = state.spin(object).norm();
     const auto margin = [&](double speed) {
         return std::max(0.5 * of.cellSize.minCoeff(),
-                        1.1 * kContactInterval * world_.step() * (speed + spin * object.reach()));
+                        1.1 * world_.contactTime() * (speed + spin * object.reach()));
     };
     const double reach = object.reach() + cellReach + margin(state.velocity.norm());
     for (int axis = 0; axis < 3; ++axis)
@@ -229,8 +229,7 @@ void Objects::findDisturbed() {
         for (int other = 0; other < count; ++other) {
             if (!states_[other].present || still(other) || !moves(other)) continue;
             const Touch touch = touchOf(box, boxOf(world_.objects()[other], states_[other]));
-            if (touch.gap <= 1.1 * kContactInterval * world_.step() * speed(other))
-                disturbed_[sleeper] = true;
+            if (touch.gap <= 1.1 * world_.contactTime() * speed(other)) disturbed_[sleeper] = true;
         }
     }
 }

@@ -24,7 +24,7 @@ class Objects {
         struct Bounds {
             core::Vec3 low, high;  ///< m
         };
-        /// Around all nodes of a body, and where they get within kContactInterval steps.
+        /// Around all nodes of a body, and where they get within World::contactInterval() steps.
         virtual Bounds bounds(int body) const = 0;
         virtual core::CellMotion motion(int cell) const = 0;
         /// linkMask() of one of its corners.
@@ -53,8 +53,8 @@ class Objects {
     /// Gives those that are free to move what blasts add to their motion in the step that begins,
     /// before anything is found that they touch: they are to meet it as fast as they are then.
     void accelerate(std::span<const core::Blast> blasts);
-    /// Finds the cells that objects may touch within kContactInterval steps, and what disturbs
-    /// sleepers. `held`: bodies to look at.
+    /// Finds the cells that objects may touch within World::contactInterval() steps, and what
+    /// disturbs sleepers. `held`: bodies to look at.
     void search(const Cells& cells, const std::vector<bool>& held);
     bool searchDue() const { return searchDue_; }
     /// Whether the last search found something of the body.

@@ -28,7 +28,8 @@ class ReferenceSolver::ObjectCells : public Objects::Cells {
             for (int corner = 0; corner < kCorners; ++corner) {
                 const Vec3& x = nodes.position[corner];
                 const double speed = nodes.velocity[corner].norm();
-                const Vec3 way = Vec3::Constant(contactMargin(0, 0, speed, solver_.world_.step()));
+                const Vec3 way =
+                    Vec3::Constant(contactMargin(0, 0, speed, solver_.world_.contactTime()));
                 bounds.low = bounds.low.cwiseMin(x - way);
                 bounds.high = bounds.high.cwiseMax(x + way);
             }
@@ -147,8 +148,8 @@ void ReferenceSolver::setIncidents(IncidentRing* ring) {
 
 void ReferenceSolver::advance(int steps) {
     for (int i = 0; i < steps; ++i) {
-        const bool fracture = state_.step % world_.description().fractureInterval == 0;
-        if (contact_ && (searchDue_ || state_.step % kContactInterval == 0))
+        const bool fracture = state_.step % world_.fractureInterval() == 0;
+        if (contact_ && (searchDue_ || state_.step % world_.contactInterval() == 0))
             contact_->search(state_, links_);
         updateElements(fracture);
         if (contact_) contact_->addForces(state_, freeNodes(), force_, watch_.get());
@@ -244,7 +245,7 @@ void ReferenceSolver::pushObjects() {
     ObjectCells cells(*this);
     objects_->startStep(state_.step);
     if (const std::vector<Blast> now = blasts(); !now.empty()) objects_->accelerate(now);
-    if (searchDue_ || objects_->searchDue() || state_.step % kContactInterval == 0) {
+    if (searchDue_ || objects_->searchDue() || state_.step % world_.contactInterval() == 0) {
         std::vector<bool> there(world_.bodies().size(), true);
         for (const int body : state_.absent) there[body] = false;
         objects_->search(cells, there);
@@ -367,7 +368,7 @@ ReferenceSolver::Load ReferenceSolver::loadOf(int cell, int axis, const ElementL
 }
 
 void ReferenceSolver::damageBonds() {
-    const double interval = world_.description().fractureInterval * world_.step();
+    const double interval = world_.fractureInterval() * world_.step();
     for (int cell = 0; cell < world_.cellCount(); ++cell) {
         if (!world_.present(cell, state_)) continue;
         const ElementLaw& law = world_.laws()[world_.lawOf(cell)];

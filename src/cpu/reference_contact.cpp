@@ -31,7 +31,7 @@ ReferenceContact::Sphere ReferenceContact::sphere(const State& state, int cell, 
     }
     // Two spheres' margin is at most the sum of what each would have against its like at rest.
     const double radius = proxyOf(cell).radius;
-    sphere.reach = radius + contactMargin(radius, 0, sphere.velocity.norm(), world_.step());
+    sphere.reach = radius + contactMargin(radius, 0, sphere.velocity.norm(), world_.contactTime());
     return sphere;
 }
 
@@ -78,12 +78,12 @@ void ReferenceContact::search(const State& state, const std::vector<std::uint8_t
             const double ra = proxyOf(a.cell).radius, rb = proxyOf(b.cell).radius;
             const double gap = (a.centre - b.centre).norm() - ra - rb;
             const double speed = (a.velocity - b.velocity).norm();
-            if (!(gap < contactMargin(ra, rb, speed, world_.step()))) continue;
+            if (!(gap < contactMargin(ra, rb, speed, world_.contactTime()))) continue;
             const bool near = neighbours(a.cell, b.cell);
             if (near && joined(a.cell, b.cell, links)) continue;
             pairs_.push_back({a.cell, a.number, b.cell, b.number, near});
             const double nearest = closestApproach(a.centre - b.centre, a.velocity - b.velocity,
-                                                   kContactInterval * world_.step()) -
+                                                   world_.contactTime()) -
                                    ra - rb;
             if (nearest < kCrowdGap * std::min(ra, rb)) {
                 ++crowd_[a.cell];

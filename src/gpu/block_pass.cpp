@@ -59,7 +59,7 @@ BlockPass::BlockPass(const World& world, int columns)
     glUniform1i(program_.uniform("newNodes"), kNewNodes);
     glUniform1i(program_.uniform("newBonds"), kNewBonds);
     glUniform1i(program_.uniform("newLinks"), kNewLinks);
-    glUniform1i(program_.uniform("lookInterval"), world.description().fractureInterval);
+    glUniform1i(program_.uniform("lookInterval"), world.fractureInterval());
     uniforms_ = {program_.uniform("substeps"),     program_.uniform("pushed"),
                  program_.uniform("stepInFrame"),  program_.uniform("newNodeWatch"),
                  program_.uniform("newBondWatch"), program_.uniform("firstLook")};
@@ -83,7 +83,7 @@ void BlockPass::setBodies(const std::vector<int>& bodies) {
 }
 
 int BlockPass::untilLook(std::int64_t step) const {
-    const int interval = world_.description().fractureInterval;
+    const int interval = world_.fractureInterval();
     return static_cast<int>((interval - step % interval) % interval);
 }
 
@@ -92,7 +92,7 @@ int BlockPass::substepsFrom(std::int64_t step, int most) const {
     // A look comes first, or not at all.
     if (world_.breakable()) {
         const int look = untilLook(step);
-        most = std::min(most, look > 0 ? look : world_.description().fractureInterval);
+        most = std::min(most, look > 0 ? look : world_.fractureInterval());
     }
     return std::min(most, BlockPlan::kRim);
 }

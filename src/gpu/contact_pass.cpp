@@ -156,8 +156,7 @@ ContactPass::ContactPass(const World& world, int columns, Storage storage)
     for (const gl::Program* program : {&gridProgram_, &searchProgram_}) setGrid(*program, world);
     searchProgram_.use();
     glUniform1f(searchProgram_.uniform("reach"), static_cast<float>(reach(world)));
-    glUniform1f(searchProgram_.uniform("searchInterval"),
-                static_cast<float>(kContactInterval * world.step()));
+    glUniform1f(searchProgram_.uniform("searchInterval"), static_cast<float>(world.contactTime()));
 }
 
 /// One that fills a target of spheres, and knows the columns of what has a texel per cell.
@@ -186,7 +185,7 @@ void ContactPass::update(std::int64_t step, PassTimer* timer) {
     gl::bindTexture(kSpheres, GL_TEXTURE_2D_ARRAY, spheres_.texture());
     gl::bindTexture(kPartners, GL_TEXTURE_2D_ARRAY, partners_.texture());
     gl::bindTexture(kSummaries, GL_TEXTURE_2D_ARRAY, summaries());
-    if (due_ || step % kContactInterval == 0) {
+    if (due_ || step % world_.contactInterval() == 0) {
         search(step, timer);
         due_ = false;
     } else {

@@ -18,7 +18,7 @@ void raiseHaste(std::vector<double>& haste, const std::vector<double>& by);
 
 /// Contact between cells (core/contact.hpp) for the GPU solvers.
 ///
-/// Every kContactInterval steps a search, per sphere. First a look at large voxels, regions, by
+/// Every World::contactInterval() steps a search, per sphere. First a look at large voxels, regions, by
 /// rendering a point per sphere with MAX blending: what is surrounded by nothing but joined cells
 /// of its own body touches nothing and is left out of the rest (glsl/contact/exposed.frag). Then a
 /// hashed grid, filled by rendering a point per exposed sphere (glsl/contact/grid.glsl; after

@@ -29,8 +29,7 @@ void setConstants(const gl::Program& program, const World& world, int textureCol
                 std::countr_zero(static_cast<unsigned>(textureColumns)));
     const auto h = static_cast<float>(world.step());
     glUniform1f(program.uniform("stepSize"), h);
-    glUniform1f(program.uniform("interval"),
-                static_cast<float>(world.description().fractureInterval) * h);
+    glUniform1f(program.uniform("interval"), static_cast<float>(world.fractureInterval()) * h);
     glUniform1f(program.uniform("fastestParting"),
                 static_cast<float>(world.description().partingSpeed));
     glUniform1i(program.uniform("partingCount"), static_cast<int>(world.partings().size()));

@@ -190,7 +190,7 @@ void GatherSolver::advanceOne(bool events, int stepInFrame) {
     if (incidents_ && contact_) incidents_->addPushes();
     // Stresses are those before the nodes move; what they break shows in the links of the next
     // step.
-    const bool fracture = breakable_ && step_ % world_.description().fractureInterval == 0;
+    const bool fracture = breakable_ && step_ % world_.fractureInterval() == 0;
     if (fracture) updateBonds();
     updateNodes(events, stepInFrame);
     if (objects_) objects_->move();

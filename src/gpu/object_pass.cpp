@@ -95,8 +95,7 @@ ObjectPass::ObjectPass(const World& world, const WorldBuffers& buffers,
                                   .defines = nodes,
                                   .feedback = {"pair"}});
     setConstants(searchProgram_, world, columns);
-    glUniform1f(searchProgram_.uniform("searchInterval"),
-                static_cast<float>(kContactInterval * world.step()));
+    glUniform1f(searchProgram_.uniform("searchInterval"), static_cast<float>(world.contactTime()));
     glUniform1i(searchProgram_.uniform("objectCount"), count_);
     countProgram_ = pairProgram("COUNT", "", "objects/count.frag", count_, 1);
     reactionProgram_ = pairProgram("REACTION", "", "objects/reaction.frag", count_, 1);
@@ -273,7 +272,7 @@ void ObjectPass::accelerate(int stepInFrame) {
 
 void ObjectPass::push(std::int64_t step) {
     bind();
-    if (searchDue_ || step % kContactInterval == 0) search();
+    if (searchDue_ || step % world_.contactInterval() == 0) search();
     touches_.bind();
     drawObjects(amongProgram_);
     addBlending();

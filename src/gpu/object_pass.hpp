@@ -17,7 +17,7 @@
 namespace sunder::gpu {
 
 /// The world's objects (core/object_contact.hpp) for the GPU solvers. Their states are texels, one
-/// per object. Every kContactInterval steps a search captures a list of the cells and objects that
+/// per object. Every World::contactInterval() steps a search captures a list of the cells and objects that
 /// may touch, by transform feedback from a geometry shader that emits a point for each pair. Every
 /// step the list is drawn three times as points: into a texel per object that counts its touches,
 /// one that sums up what it gets, and the forces on the cells; blending adds in the order of the

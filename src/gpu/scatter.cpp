@@ -321,7 +321,7 @@ void ScatterSolver::advance(int steps) {
     glPointSize(1);
 
     for (int i = 0; i < steps; ++i) {
-        const bool fracture = breakable_ && step_ % world_.description().fractureInterval == 0;
+        const bool fracture = breakable_ && step_ % world_.fractureInterval() == 0;
         gl::bindTexture(kNodes, GL_TEXTURE_BUFFER, nodes_[currentNodes_].nodes.texture());
         updateElements(fracture);
         if (contact_) addContacts();

@@ -187,7 +187,8 @@ bool Simulation::present(int body) const {
 }
 
 std::int64_t Simulation::nextSearch() const {
-    return (step_ + kContactInterval - 1) / kContactInterval * kContactInterval;
+    const int interval = world().contactInterval();
+    return (step_ + interval - 1) / interval * interval;
 }
 
 bool Simulation::rests(int body) const {

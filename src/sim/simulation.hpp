@@ -75,7 +75,7 @@ class Simulation {
     /// them from elsewhere checks them, as World::setKinematic() does.
     void putObject(int object, const core::ObjectState&);
     /// Puts a body there or takes it away (core::Solver::setPresent()): at once where the step is
-    /// divisible by kContactInterval, else at the next one that is, on the way of advance(). So
+    /// divisible by World::contactInterval(), else at the next one that is, on the way of advance(). So
     /// what touches no such body keeps its bits. A push that names a body on its way begins with
     /// it. Throws InputError for an index that is none.
     void setPresent(int body, bool present);
@@ -118,7 +118,7 @@ class Simulation {
     void touch(int body) { versions_[body] = ++version_; }
     void touchAll();
     bool comes(int body) const;  ///< at nextSearch()
-    /// From this step on the first that is divisible by kContactInterval.
+    /// From this step on the first that is divisible by World::contactInterval().
     std::int64_t nextSearch() const;
     void advanceSolver(int steps);
 

@@ -202,7 +202,9 @@ struct SUNDER_API WorldDesc {
     double partingSpeed = 1;
     /// s, 1e-6 to 0.1: one substep. Shorter: stiffer materials, more work a second.
     double substep = 1.0 / 3000;
-    int fractureInterval = 4;  ///< Substeps from one look for fracture to the next, 1 to 100.
+    /// Substeps from one look for fracture to the next, 1 to 100; 0: as many as a wave takes to
+    /// cross a few cells of the stiffest material.
+    int fractureInterval = 0;
     std::uint64_t seed = 1;    ///< Of the scatter of strengths: another one breaks another way.
 
     /// Why a material that was to be added is none; World::create() fails with it.
@@ -340,9 +342,9 @@ class SUNDER_API World {
     Result<void> removeObject(int object);
     /// Puts a body there that is not: whole, and at rest where its description has it, though not
     /// under its own weight yet. What sleeps around it wakes; what lies in its way is pushed out,
-    /// hard: leave it room. At once where substeps() is divisible by four, as contacts are searched
-    /// for then, else within the next step() at the next such substep; a push of it that is given
-    /// meanwhile begins then, too. So what touches nothing of it keeps its bits. With the solver
+    /// hard: leave it room. At once at a substep where contacts are searched for (every 1/750 s, but
+    /// no more often than every fourth), else within the next step() at the next such one; a push of
+    /// it that is given meanwhile begins then, too. So what touches nothing of it keeps its bits. With the solver
     /// `scatter` it waits for the GPU. Refused: no such body, or it is there already.
     Result<void> addBody(int body);
     /// Takes a body away, and all its pieces, until addBody(), at the same substeps: no ray, push

@@ -75,7 +75,7 @@ PullTest pull(const SolverUnderTest& under, const World& world, double strength)
     const double strain = 0.75 * strength / kYoungModulus;
     for (int node = 0; node < world.nodeCount(); ++node)
         state.displacement[node][0] = strain * (latticePosition(world, node)[0] + kLength / 2);
-    const int steps = world.description().fractureInterval;
+    const int steps = world.fractureInterval();
     double elongation = strain * kLength;
     PullTest test;
     while (elongation < 1.3 * kLength * strength / kYoungModulus) {

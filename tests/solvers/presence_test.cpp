@@ -81,7 +81,7 @@ TEST_CASE("presence: bodies that come and go far away change no bit of others") 
             visited->advance(steps);
         };
         // Where searches for contacts come anyway.
-        static_assert(kContactInterval == 4);
+        REQUIRE(world.contactInterval() == 4);
         both(32);
         CHECK(sameBody(world, visited->state(), initial, 2));
         visited->setPresent(2, true);
