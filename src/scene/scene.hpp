@@ -22,10 +22,17 @@ struct Scene {
     std::string title;  ///< one line, for `sunder list`
     int frames = 120;   ///< how long `sunder run` runs by default, in frames of 1/60 s, 1 to 1e6
     int substeps = 50;  ///< per 1/60 s, 1 to 10000
+    /// `substeps = "auto"`: as many as its materials need, at most maxSubsteps (chooseSubsteps()).
+    bool autoSubsteps = false;
+    int maxSubsteps = 5000;  ///< 1 to 10000
     core::WorldDescription world;
     CameraDescription camera;
     bool ownCamera = false;  ///< its file says where the camera is
 };
+
+/// Where they are automatic, as many substeps as the materials need as they are now
+/// (core/substeps.hpp); and the step that follows.
+void chooseSubsteps(Scene& scene);
 
 /// Reads a scene: a preset's name, or a path to a TOML file (anything with a '/', '\' or ending in
 /// ".toml"). Material files a scene names are sought beside it. Throws InputError: "FILE:LINE:

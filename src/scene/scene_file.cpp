@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "core/substeps.hpp"
 #include "core/wording.hpp"
 #include "files/utf8_path.hpp"
 #include "scene/body_reader.hpp"
@@ -19,12 +20,19 @@ using namespace core;
 
 namespace {
 
+constexpr std::string_view kAuto = "auto";
+
 void readSolver(const TableReader& root, Scene& scene) {
-    if (const auto solver = root.table("solver", {"substeps", "fracture_interval"})) {
-        solver->read(kSubstepsRule, scene);
-        solver->read(solverRules(), scene.world);
-    }
-    scene.world.step = 1.0 / (60.0 * scene.substeps);
+    const auto solver = root.table("solver", {"substeps", "max_substeps", "fracture_interval"});
+    if (!solver) return;
+    scene.autoSubsteps = solver->holds("substeps", kAuto);
+    if (!scene.autoSubsteps) solver->read(kSubstepsRule, scene);
+    if (solver->read(kMaxSubstepsRule, scene) && !scene.autoSubsteps)
+        solver->fail("max_substeps",
+                     "max_substeps says nothing where substeps is a number; leave it out, or "
+                     "set substeps = " +
+                         inQuotes(kAuto));
+    solver->read(solverRules(), scene.world);
 }
 
 void readGround(const TableReader& root, WorldDescription& world) {
@@ -98,7 +106,13 @@ Scene parseScene(std::string_view text, const std::string& file,
     BodyReader bodies(world, library);
     bodies.readAll(root);
     readEvents(root, bodies, world);
+    chooseSubsteps(scene);
     return scene;
+}
+
+void chooseSubsteps(Scene& scene) {
+    if (scene.autoSubsteps) scene.substeps = substepsFor(scene.world, scene.maxSubsteps);
+    scene.world.step = 1.0 / (60.0 * scene.substeps);
 }
 
 Scene loadScene(const std::string& nameOrPath) {

@@ -16,6 +16,11 @@ inline constexpr core::Rule<Scene> kSubstepsRule{
     {1, 10000},
     &Scene::substeps,
     "In 1/60 s. More: carries stiffer materials and faster hits, slower."};
+inline constexpr core::Rule<Scene> kMaxSubstepsRule{
+    "max_substeps",
+    {1, 10000},
+    &Scene::maxSubsteps,
+    "Where they are automatic, no more than that. Fewer: faster, and stiff materials are softer."};
 
 inline constexpr core::Rule<CameraDescription> kCameraRules[] = {
     {"position",

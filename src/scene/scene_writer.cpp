@@ -209,7 +209,12 @@ std::string writeScene(const Scene& scene) {
     out.add("gravity", world.gravity);
     out.addRaw("seed", std::to_string(world.seed));
     out.heading("[solver]");
-    out.add("substeps", scene.substeps);
+    if (scene.autoSubsteps) {
+        out.add("substeps", std::string_view("auto"));
+        out.add("max_substeps", scene.maxSubsteps);
+    } else {
+        out.add("substeps", scene.substeps);
+    }
     out.add("fracture_interval", world.fractureInterval);
     out.heading("[ground]");
     out.add("enabled", world.ground);

@@ -118,6 +118,14 @@ bool TableReader::read(std::string_view key, std::int64_t& value, const WholeRan
     return true;
 }
 
+bool TableReader::holds(std::string_view key, std::string_view name) const {
+    const toml::node* node = table_->get(key);
+    const auto* text = node ? node->as_string() : nullptr;
+    if (text && text->get() != name)
+        failAt(node, std::string(key) + " must be a number or " + inQuotes(name) + butIs(*node));
+    return text != nullptr;
+}
+
 const toml::array& TableReader::list(const toml::node& node, std::string_view key, std::size_t size,
                                      const std::string& kind) const {
     const toml::array* array = node.as_array();

@@ -32,6 +32,9 @@ class TableReader {
     void require(std::string_view key, std::string_view hint) const;
 
     bool read(std::string_view key, bool& value) const;
+    /// Whether it holds this text: a name for what is a number otherwise. Leaves what else it may
+    /// hold to others, but for another text.
+    bool holds(std::string_view key, std::string_view name) const;
     /// A whole number; 1e6 counts as one.
     bool read(std::string_view key, std::int64_t& value, const core::WholeRange& range) const;
     /// What a rule is about: a number, or a list of two or three. `single`: one number is taken for

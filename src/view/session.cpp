@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <limits>
 #include <new>
 #include <utility>
@@ -135,7 +136,11 @@ void Session::setMaterial(int index, const Material& material) {
     scene::Scene changedScene = scene();
     const std::string name = material.name;
     changedScene.world.materials[index] = material;
-    const State state = stage->simulation.state();
+    scene::chooseSubsteps(changedScene);
+    State state = stage->simulation.state();
+    // The same time, whatever a substep takes now.
+    state.step =
+        std::llround(static_cast<double>(state.step) * changedScene.substeps / scene().substeps);
     if (rebuild(std::move(changedScene), &state))
         log.add("material", {{"index", index}, {"value", name}});
 }

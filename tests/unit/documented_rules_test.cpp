@@ -96,6 +96,7 @@ TEST_CASE("documents say the ranges that are checked", "[rules]") {
     CHECK(compare(worldRules(), scenes("The top level")) == 1);
     CHECK(compare(std::span(&scene::kFramesRule, 1), scenes("The top level")) == 1);
     CHECK(compare(std::span(&scene::kSubstepsRule, 1), scenes("`[solver]`")) == 1);
+    CHECK(compare(std::span(&scene::kMaxSubstepsRule, 1), scenes("`[solver]`")) == 1);
     CHECK(compare(solverRules(), scenes("`[solver]`")) == 1);
     CHECK(compare(groundRules(), scenes("`[ground]`, `[room]`"), "ground.") == 1);
     CHECK(compare(roomRules(), scenes("`[ground]`, `[room]`"), "room.") == 4);
