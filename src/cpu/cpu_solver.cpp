@@ -12,8 +12,9 @@ using namespace core;
 
 namespace {
 
-/// A stretch of fewer vectors is not worth a thread of its own.
-constexpr int kVectorsPerPart = 16;
+/// A stretch of fewer vectors is not worth a thread of its own: threads take half a microsecond to
+/// meet, and one vector takes as long.
+constexpr int kVectorsPerPart = 4;
 
 }  // namespace
 
@@ -113,7 +114,7 @@ void CpuSolver::lookForIncidents() {
 }
 
 void CpuSolver::advanceAlone(int steps) {
-    const Runner& runner = *runner_;
+    Runner& runner = *runner_;
     const auto alone = [&](int body) {
         if (runner.touching[body]) return;
         bodies_[body]->advance(step_, steps,
@@ -122,12 +123,13 @@ void CpuSolver::advanceAlone(int steps) {
     const auto together = [&](int body) {
         if (runner.touching[body]) return;
         bodies_[body]->advance(step_, steps, [&](int vectors, const auto& work) {
-            const int parts = std::min({cpu::BodyRun::kMaxParts, 4 * runner.team.size(),
+            // One each: they take equally long.
+            const int parts = std::min({cpu::BodyRun::kMaxParts, runner.team.size(),
                                         std::max(1, vectors / kVectorsPerPart)});
             const auto stretch = [&](int part) {
                 work(vectors * part / parts, vectors * (part + 1) / parts, part);
             };
-            runner.team.forEach(parts, stretch, true);
+            runner.team.forEach(parts, stretch);
         });
     };
     for (const int body : runner.split) together(body);
