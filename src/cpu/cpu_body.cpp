@@ -83,6 +83,8 @@ void BodyStorage::choose(const World& world) {
         if (law < 0) continue;
         if (first < 0) first = law;
         if (law != first) a.kind = LawKind::Mixed;
+        const double modulus = world.laws()[law].lambda + 2 * world.laws()[law].mu;
+        a.stiff &= modulus > world.materialOf(cell).density * kStiffWaveSpeed * kStiffWaveSpeed;
         a.bondsBreak |= world.materialOf(cell).fracture == FractureMode::Bond;
         const bool cellBreaks = world.materialOf(cell).fracture == FractureMode::Cell;
         a.cellsBreak |= cellBreaks;

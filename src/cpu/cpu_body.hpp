@@ -14,6 +14,11 @@ inline constexpr int kLanes = 16;
 /// Stands for "never": no stress reaches it, and its square is still finite.
 inline constexpr float kUnbreakable = 1e18f;
 
+/// m/s. A blow of v strains a body by about v over its wave speed. Where the least wave speed of
+/// its materials is larger than this, rotations are found the cheap way for tiny strains wherever
+/// it will do; in softer bodies it would do so seldom that to try costs more than it saves.
+inline constexpr double kStiffWaveSpeed = 500;
+
 /// Material constants as the kernels want them.
 struct Law {
     float lambda, twoMu;  ///< Pa
@@ -83,6 +88,7 @@ struct BodyArrays {
     int memberCount = 8;
 
     LawKind kind = LawKind::Corotated;
+    bool stiff = true;  ///< whether its strains are likely to be tiny: see kStiffWaveSpeed
     bool bondsBreak = false, cellsBreak = false;  ///< whether any cell has that fracture mode
     bool stressLost = false;                      ///< whether cellsBreak goes with S > 1
     const Law* laws = nullptr;                    ///< table of all laws

@@ -122,10 +122,11 @@ HWY_INLINE Mat3v scaleColumns(const Mat3v& m, const Vec3v& s) {
 /// First Piola–Kirchhoff stress P of A, its columns times `weight`, and the rotation R of A where
 /// the law or `kStress` asks for it.
 template <LawKind kKind, bool kStress>
-HWY_INLINE Mat3v piola(const Mat3v& A, const Elastic& law, const Vec3v& weight, Mat3v& R) {
+HWY_INLINE Mat3v piola(const Mat3v& A, const Elastic& law, const Vec3v& weight, bool stiff,
+                       Mat3v& R) {
     Mat3v P;
     if constexpr (kKind != LawKind::Green || kStress) {
-        const Polar polar = polarNearIdentity(A);
+        const Polar polar = polarNearIdentity(A, stiff);
         R = polar.R;
         // 2μ(A − R) + λ·(tr(S) − 3)·R
         const V pressure = law.lambda * (polar.trace - set(3.f)) - law.twoMu;
@@ -241,7 +242,7 @@ HWY_INLINE Mat3v tetrahedron(const Cells& cells, const Mat3v& F, const Mat3v& G,
                              [[maybe_unused]] StressOutput* out) {
     const Mat3v A = transposeTimes(cells.frame, G);
     Mat3v R;
-    Mat3v P = piola<kKind, kStress>(A, cells.law, cells.weight, R);
+    Mat3v P = piola<kKind, kStress>(A, cells.law, cells.weight, cells.body.stiff, R);
     if (HWY_UNLIKELY(any(hot.lanes))) {
         const LawLookup lookup{&cells.body, cells.first};
         const V factor = hn::IfThenElse(hot.lanes, lookup(&Law::hotStress), set(1.f));

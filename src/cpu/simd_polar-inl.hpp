@@ -86,6 +86,9 @@ struct Turn {
     }
 };
 
+/// |A − I|² below which an error of third order is one of rounding.
+constexpr float kTiny2 = 1.6e-5f;
+
 struct Polar {
     Mat3v R;
     V trace;  ///< of S = RᵀA
@@ -108,13 +111,13 @@ HWY_NOINLINE Polar polarOfAny(Mat3v A, Mask todo, Polar others) {
     return {select(todo, R, others.R), hn::IfThenElse(todo, trace, others.trace)};
 }
 
-/// Rotation of A. Meant for A near the identity, as in a frame that turns along.
+/// Rotation of A near the identity.
 ///
 /// The Cayley rotation by w makes RᵀA symmetric exactly where (tr(S)·I − S)·w = k − ¼(k·w)·w:
 /// Newton's equation and a small term. So the matrix is inverted once and w found by fixed-point
 /// iteration, each turn of which gains a factor of about ½|w|². The same algebra gives
 /// tr(RᵀA) = tr(A) + ½k·w.
-HWY_INLINE Polar polarNearIdentity(const Mat3v& A) {
+HWY_INLINE Polar polarOfNear(const Mat3v& A) {
     const Turn turn(A);
     const V quarter = set(0.25f);
     const Vec3v first = turn.solve(turn.k);
@@ -133,6 +136,39 @@ HWY_INLINE Polar polarNearIdentity(const Mat3v& A) {
     const Polar usual{smallRotation(w), turn.trace + set(0.5f) * dot(turn.k, w)};
     if (HWY_LIKELY(hn::AllTrue(d, easy))) return usual;
     return polarOfAny(A, hn::Not(easy), usual);
+}
+
+/// Rotation of A. Meant for A near the identity, as in a frame that turns along.
+///
+/// With A = I + e + half of [k]×, the equation of polarOfNear() is 2w = k − (tr(e)·I − e)·w −
+/// ¼(k·w)·w. In stiff things e and k are tiny, and w = ½k put into its right side, the last term
+/// left out, makes an error of third order: no matrix is inverted and nothing divided.
+///
+/// stiff: whether to try that.
+HWY_INLINE Polar polarNearIdentity(const Mat3v& A, bool stiff) {
+    if (!stiff) return polarOfNear(A);
+    const V one = set(1.f), half = set(0.5f);
+    const Vec3v k{A.y.z - A.z.y, A.z.x - A.x.z, A.x.y - A.y.x};
+    const Vec3v e{A.x.x - one, A.y.y - one, A.z.z - one};
+    const Vec3v o{half * (A.y.z + A.z.y), half * (A.z.x + A.x.z), half * (A.x.y + A.y.x)};
+    const V size = dot(e, e) + set(2.f) * dot(o, o) + half * dot(k, k);  // |A − I|²
+    const Mask tiny = hn::Lt(size, set(kTiny2));
+    const Vec3v q = k * set(0.25f);  // ½w, nearly
+    const Vec3v m{e.y + e.z, e.z + e.x, e.x + e.y};
+    const Vec3v p{q.x - half * (m.x * q.x - o.z * q.y - o.y * q.z),
+                  q.y - half * (m.y * q.y - o.z * q.x - o.x * q.z),
+                  q.z - half * (m.z * q.z - o.y * q.x - o.x * q.y)};
+    // smallRotation() of 2p, but for 1/(1 + p²).
+    const Vec3v sp = p + p;
+    const V xx = sp.x * p.x, yy = sp.y * p.y, zz = sp.z * p.z;
+    const V xy = sp.x * p.y, yz = sp.y * p.z, zx = sp.z * p.x;
+    const Polar usual{{{one - yy - zz, xy + sp.z, zx - sp.y},
+                       {xy - sp.z, one - zz - xx, yz + sp.x},
+                       {zx + sp.y, yz - sp.x, one - xx - yy}},
+                      A.x.x + A.y.y + A.z.z + dot(k, p)};
+    if (HWY_LIKELY(hn::AllTrue(d, tiny))) return usual;
+    const Polar other = polarOfNear(A);
+    return {select(tiny, usual.R, other.R), hn::IfThenElse(tiny, usual.trace, other.trace)};
 }
 
 }  // namespace sunder::cpu::HWY_NAMESPACE
