@@ -162,7 +162,9 @@ void World::findIntervals() {
             stableYoungModulus(m.density, law.cellSize.minCoeff(), m.poissonRatio, step);
         most = std::min(most, std::sqrt(stable / law.youngModulus));
     }
-    fractureInterval_ = kLookSteps * static_cast<int>(std::clamp(most + rounding, 1.0, 25.0));
+    const int searches = std::min(contactInterval_ / kLookSteps, 25);
+    fractureInterval_ =
+        kLookSteps * static_cast<int>(std::clamp<double>(most + rounding, 1, searches));
 }
 
 void World::layOutCells() {

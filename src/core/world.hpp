@@ -71,7 +71,8 @@ class World {
     double step() const { return description_.step; }
     /// Steps from one fracture update to the next: by the description, or as long as a wave takes
     /// to cross a few cells of the stiffest material that breaks. So it is the same time however
-    /// many steps there are: kLookSteps times the longest step that would carry that material.
+    /// many steps there are: kLookSteps times the longest step that would carry that material. But
+    /// no longer than contactTime(): what hits soft things may be faster than their waves.
     int fractureInterval() const { return fractureInterval_; }
     /// Steps from one search for contacts to the next, a multiple of kContactSteps: kContactTime,
     /// or where steps are long kContactSteps of them.

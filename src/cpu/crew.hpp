@@ -8,11 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "cpu/flush_denormals.hpp"
-
-#if defined(__SSE2__) || defined(_M_X64)
-#include <immintrin.h>
-#endif
+#include "cpu/processor.hpp"
 
 namespace sunder::cpu {
 
@@ -107,21 +103,17 @@ class Crew {
     static int portionsOf(std::uint64_t pass) { return static_cast<int>(pass & 0xffff); }
 
     static void pause(int waited) {
-        if (waited > kSpins) return std::this_thread::yield();
-#if defined(__SSE2__) || defined(_M_X64)
-        _mm_pause();
-#elif defined(__aarch64__) && !defined(_MSC_VER)
-        asm volatile("yield");
-#endif
+        if (waited > kSpins)
+            std::this_thread::yield();
+        else
+            pauseProcessor();
     }
 
     void workOnOwn(std::uint64_t pass, int rank) {
         const int portions = portionsOf(pass), present = present_.load(std::memory_order_relaxed);
         work(pass, portions * rank / present, portions * (rank + 1) / present);
     }
-    void workOnAny(std::uint64_t pass) {
-        work(pass, 0, portionsOf(pass));
-    }
+    void workOnAny(std::uint64_t pass) { work(pass, 0, portionsOf(pass)); }
 
     void work(std::uint64_t pass, int first, int end) {
         if (first == end) return;

@@ -147,7 +147,7 @@ int GatherSolver::advanceSome(bool events, int stepInFrame, int most) {
     if (!moving()) return 1;
     stirred_ = true;
     if (step_ % monitor_.interval() == 0) watch();
-    if (blocks_ && !passObserver_) return advanceBlocks(events, stepInFrame, most);
+    if (blocks_) return advanceBlocks(events, stepInFrame, passObserver_ ? 1 : most);
     advanceOne(events, stepInFrame);
     return 1;
 }
@@ -176,6 +176,10 @@ int GatherSolver::advanceBlocks(bool events, int stepInFrame, int most) {
     newNodeWatch_ = false;
     blocks_->run(span, nodes_[currentNodes_], bonds_[currentBonds_], links_[currentLinks_]);
     bindState();
+    observe(passObserver_, "blocks", nodes_[currentNodes_], world_.cellCount(), 2 * kCorners);
+    if (looks)
+        observe(passObserver_, "links", links_[currentLinks_], world_.cellCount(),
+                SUNDER_LINK_TEXELS);
     return span.substeps;
 }
 

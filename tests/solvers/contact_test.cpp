@@ -165,7 +165,18 @@ TEST_CASE("bonded neighbours never push: an intact wall moves to the bit as with
         b->setState(state);
         a->advance(600);
         b->advance(600);
-        CHECK(stateHash(a->state()) == stateHash(b->state()));
+        // Without contact compute works block by block, and adds up in another order: 600 times
+        // some 1e-7 of what moves by 0.3 m.
+        if (under.name == "compute") {
+            const State one = a->state(), other = b->state();
+            double difference = 0;
+            for (int node = 0; node < without.nodeCount(); ++node)
+                difference = std::max(difference,
+                                      (one.displacement[node] - other.displacement[node]).norm());
+            CHECK(difference < 2e-5);
+        } else {
+            CHECK(stateHash(a->state()) == stateHash(b->state()));
+        }
         CHECK(stateHash(a->state()) != stateHash(state));
     }
 }

@@ -9,7 +9,7 @@
 #include "core/diagnostics.hpp"
 #include "core/incident.hpp"
 #include "cpu/cpu_kernels.hpp"
-#include "cpu/flush_denormals.hpp"
+#include "cpu/processor.hpp"
 #include "cpu/reference.hpp"
 #include "support/worlds.hpp"
 

@@ -22,7 +22,7 @@ PACKAGES = {
     'Catch2': ('catch2', ['Catch2::Catch2'], 'include', ['catch2/catch_all.hpp', 'catch2/catch_session.hpp']),
     'Eigen3': ('eigen3', ['Eigen3::Eigen'], 'include/eigen3',
                ['Eigen/' + name for name in ('Core', 'Dense', 'Eigenvalues', 'Geometry', 'LU', 'QR', 'SVD')]),
-    'TBB': ('tbb', ['TBB::tbb'], 'include', ['tbb/global_control.h', 'tbb/parallel_for.h', 'tbb/task_arena.h']),
+    'TBB': ('tbb', ['TBB::tbb'], 'include', ['tbb/global_control.h', 'tbb/parallel_for.h', 'tbb/task_arena.h', 'tbb/task_group.h']),
     'glfw3': ('glfw3', ['glfw'], 'include', ['GLFW/glfw3.h']),
     'glm': ('glm', ['glm::glm'], 'include',
             ['glm/geometric.hpp', 'glm/glm.hpp', 'glm/mat3x3.hpp', 'glm/vec3.hpp', 'glm/vec4.hpp', 'glm/gtc/matrix_inverse.hpp',

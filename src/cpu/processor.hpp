@@ -5,7 +5,17 @@
 #include <xmmintrin.h>
 #endif
 
+// What each kind of processor has an instruction of its own for.
 namespace sunder::cpu {
+
+/// A thread that spins lets the other one of its core work meanwhile.
+inline void pauseProcessor() {
+#if defined(__SSE2__) || defined(_M_X64)
+    _mm_pause();
+#elif defined(__aarch64__) && !defined(_MSC_VER)
+    asm volatile("yield");
+#endif
+}
 
 /// While it lives, this thread takes numbers below 1e-38 for zero. At the foot of every wave that
 /// runs into material at rest stand some; arithmetic on them is up to a hundred times slower.
