@@ -18,11 +18,12 @@ void raiseHaste(std::vector<double>& haste, const std::vector<double>& by);
 
 /// Contact between cells (core/contact.hpp) for the GPU solvers.
 ///
-/// Every World::contactInterval() steps a search, per sphere. First a look at large voxels, regions, by
-/// rendering a point per sphere with MAX blending: what is surrounded by nothing but joined cells
-/// of its own body touches nothing and is left out of the rest (glsl/contact/exposed.frag). Then a
-/// hashed grid, filled by rendering a point per exposed sphere (glsl/contact/grid.glsl; after
-/// Harada's grid in GPU Gems 3, chapter 29, in one pass), and up to 28 partners for each.
+/// Every World::contactInterval() steps a search, per sphere. First a look at large voxels,
+/// regions, by rendering a point per sphere with MAX blending: what is surrounded by nothing but
+/// joined cells of its own body touches nothing and is left out of the rest
+/// (glsl/contact/exposed.frag). Then a hashed grid, filled by rendering a point per exposed sphere
+/// (glsl/contact/grid.glsl; after Harada's grid in GPU Gems 3, chapter 29, in one pass), and up to
+/// 28 partners for each.
 ///
 /// Every step, spheres that have partners are brought up to date, and what pushes them is worked
 /// out. Both spheres of a pair work out the same numbers with opposite signs, so momentum is kept

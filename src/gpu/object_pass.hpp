@@ -17,12 +17,13 @@
 namespace sunder::gpu {
 
 /// The world's objects (core/object_contact.hpp) for the GPU solvers. Their states are texels, one
-/// per object. Every World::contactInterval() steps a search captures a list of the cells and objects that
-/// may touch, by transform feedback from a geometry shader that emits a point for each pair. Every
-/// step the list is drawn three times as points: into a texel per object that counts its touches,
-/// one that sums up what it gets, and the forces on the cells; blending adds in the order of the
-/// list, so a run repeats itself to the bit. Then a fragment per object moves it. Nothing is read
-/// back within a frame; where objects are and how calm is known to the CPU two looks later.
+/// per object. Every World::contactInterval() steps a search captures a list of the cells and
+/// objects that may touch, by transform feedback from a geometry shader that emits a point for each
+/// pair. Every step the list is drawn three times as points: into a texel per object that counts
+/// its touches, one that sums up what it gets, and the forces on the cells; blending adds in the
+/// order of the list, so a run repeats itself to the bit. Then a fragment per object moves it.
+/// Nothing is read back within a frame; where objects are and how calm is known to the CPU two
+/// looks later.
 class ObjectPass {
   public:
     /// Where the solver keeps its nodes: glsl/contact/storage.glsl. Forces are drawn into a texel

@@ -75,9 +75,9 @@ class Simulation {
     /// them from elsewhere checks them, as World::setKinematic() does.
     void putObject(int object, const core::ObjectState&);
     /// Puts a body there or takes it away (core::Solver::setPresent()): at once where the step is
-    /// divisible by World::contactInterval(), else at the next one that is, on the way of advance(). So
-    /// what touches no such body keeps its bits. A push that names a body on its way begins with
-    /// it. Throws InputError for an index that is none.
+    /// divisible by World::contactInterval(), else at the next one that is, on the way of
+    /// advance(). So what touches no such body keeps its bits. A push that names a body on its way
+    /// begins with it. Throws InputError for an index that is none.
     void setPresent(int body, bool present);
     /// Lets go of a body's anchors at once, or as it comes where it is on its way. Throws
     /// InputError for an index that is none.

@@ -205,7 +205,7 @@ struct SUNDER_API WorldDesc {
     /// Substeps from one look for fracture to the next, 1 to 100; 0: as many as a wave takes to
     /// cross a few cells of the stiffest material.
     int fractureInterval = 0;
-    std::uint64_t seed = 1;    ///< Of the scatter of strengths: another one breaks another way.
+    std::uint64_t seed = 1;  ///< Of the scatter of strengths: another one breaks another way.
 
     /// Why a material that was to be added is none; World::create() fails with it.
     std::optional<Error> missing{};
@@ -342,10 +342,11 @@ class SUNDER_API World {
     Result<void> removeObject(int object);
     /// Puts a body there that is not: whole, and at rest where its description has it, though not
     /// under its own weight yet. What sleeps around it wakes; what lies in its way is pushed out,
-    /// hard: leave it room. At once at a substep where contacts are searched for (every 1/750 s, but
-    /// no more often than every fourth), else within the next step() at the next such one; a push of
-    /// it that is given meanwhile begins then, too. So what touches nothing of it keeps its bits. With the solver
-    /// `scatter` it waits for the GPU. Refused: no such body, or it is there already.
+    /// hard: leave it room. At once at a substep where contacts are searched for (every 1/750 s,
+    /// but no more often than every fourth), else within the next step() at the next such one; a
+    /// push of it that is given meanwhile begins then, too. So what touches nothing of it keeps its
+    /// bits. With the solver `scatter` it waits for the GPU. Refused: no such body, or it is there
+    /// already.
     Result<void> addBody(int body);
     /// Takes a body away, and all its pieces, until addBody(), at the same substeps: no ray, push
     /// or object meets it, nothing draws it, and what lay on it falls. With the solver `scatter` it
