@@ -29,7 +29,8 @@ uniform float stepInFrame;  // of the first substep
 uniform bool newNodeWatch, newBondWatch;  // bodies were looked at for rest just before
 uniform int firstLook, lookInterval;      // substeps: until bonds are tested; from one test to the next
 
-// What barrier() makes visible to all, in a work group. Each by number and then cell. What a cell's nodes do, three for each: displacements, m, then velocities, m/s; forces on them, N.
+// What barrier() makes visible to all, in a work group. Each by number and then cell. What a cell's nodes do, three for each:
+// displacements, m, then velocities, m/s; forces on them, N.
 shared float motions[48 * BLOCK_CELLS];
 shared float forces[24 * BLOCK_CELLS];
 // What its tetrahedra do, nine for each: forces, N, at the ends of the edges that the columns of F are made of. Or, where bonds are
@@ -273,7 +274,7 @@ void main() {
             barrier();
             if (slot == 0) {
                 vec3 d = mix(damage.xyz, vec3(SUNDER_NO_BOND), beyond), before = d;
-                if (there) updateBonds(cell, place, placeSteps(), d, slow);
+                if (there) updateBonds(cell, place, steps, d, slow);
                 if (any(notEqual(d, before))) damage.w = 1.0;
                 if (heldWith(d) != heldWith(before)) broken = 1u;
                 damage.xyz = mix(d, damage.xyz, beyond);

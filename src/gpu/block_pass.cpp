@@ -1,6 +1,7 @@
 #include "gpu/block_pass.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "gpu/cell_pass.hpp"
 #include "gpu/feedback.hpp"
@@ -38,13 +39,16 @@ constexpr int kMostWork = 300;
 
 }  // namespace
 
-bool BlockPass::suits(const World& world) {
-    return !world.description().contact && BlockPlan(world, mostCells()).work() <= kMostWork;
+std::optional<BlockPlan> BlockPass::planFor(const World& world) {
+    if (world.description().contact) return std::nullopt;
+    BlockPlan plan(world, mostCells());
+    if (plan.work() > kMostWork) return std::nullopt;
+    return plan;
 }
 
-BlockPass::BlockPass(const World& world, int columns)
+BlockPass::BlockPass(const World& world, BlockPlan plan, int columns)
     : world_(world),
-      plan_(world, mostCells()),
+      plan_(std::move(plan)),
       program_(
           {.compute = "compute/block.comp",
            .defines = withTurned({{"BONDS_BREAK", world.bondsBreak() ? "1" : "0"},

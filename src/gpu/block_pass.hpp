@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "gpu/block_plan.hpp"
 #include "gpu/texel_target.hpp"
 
@@ -10,12 +12,12 @@ namespace sunder::gpu {
 /// events, ground and room; neither contact nor objects.
 class BlockPass {
   public:
-    /// Whether it is faster than a pass after the other: not where too many cells would be worked
-    /// out more than once.
-    static bool suits(const core::World& world);
+    /// None where a pass after the other is faster: with contact, or where too many cells would be
+    /// worked out more than once.
+    static std::optional<BlockPlan> planFor(const core::World& world);
 
-    /// columns: of the solver's textures.
-    BlockPass(const core::World& world, int columns);
+    /// plan: as planFor() says; columns: of the solver's textures.
+    BlockPass(const core::World& world, BlockPlan plan, int columns);
 
     /// Those that are awake.
     void setBodies(const std::vector<int>& bodies);

@@ -47,7 +47,9 @@ GatherSolver::GatherSolver(const World& world, const WorldBuffers& buffers, Stag
       released_(world),
       awake_(stage, world.bodies().size(), "awake cells"),
       monitor_(world, columns_, events_.schedule()) {
-    if (stage == Stage::Compute && BlockPass::suits(world)) blocks_.emplace(world, columns_);
+    if (stage == Stage::Compute)
+        if (std::optional<BlockPlan> plan = BlockPass::planFor(world))
+            blocks_.emplace(world, std::move(*plan), columns_);
     for (int half = 0; half < (blocks_ ? 2 : 1); ++half)
         links_.emplace_back(world.cellCount(), columns_, SUNDER_LINK_TEXELS, "links");
     linkPass_ = CellPass(stage, links_[0], world, "gather/links.frag");

@@ -20,8 +20,6 @@ using namespace core;
 
 namespace {
 
-constexpr std::string_view kAuto = "auto";
-
 void readSolver(const TableReader& root, Scene& scene) {
     const auto solver = root.table("solver", {"substeps", "max_substeps", "fracture_interval"});
     if (!solver) return;

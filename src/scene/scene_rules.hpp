@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <string_view>
 
 #include "core/limits.hpp"
 #include "core/rule.hpp"
@@ -16,6 +17,8 @@ inline constexpr core::Rule<Scene> kSubstepsRule{
     {1, 10000},
     &Scene::substeps,
     "In 1/60 s. More: carries stiffer materials and faster hits, slower."};
+/// What stands for a number of substeps that chooseSubsteps() finds.
+inline constexpr std::string_view kAuto = "auto";
 inline constexpr core::Rule<Scene> kMaxSubstepsRule{
     "max_substeps",
     {1, 10000},

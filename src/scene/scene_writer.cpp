@@ -9,6 +9,7 @@
 #include "core/orientation.hpp"
 #include "core/rules.hpp"
 #include "core/wording.hpp"
+#include "scene/scene_rules.hpp"
 
 namespace sunder::scene {
 
@@ -210,7 +211,7 @@ std::string writeScene(const Scene& scene) {
     out.addRaw("seed", std::to_string(world.seed));
     out.heading("[solver]");
     if (scene.autoSubsteps) {
-        out.add("substeps", std::string_view("auto"));
+        out.add("substeps", kAuto);
         out.add("max_substeps", scene.maxSubsteps);
     } else {
         out.add("substeps", scene.substeps);
